@@ -1,0 +1,5 @@
+if(NOT TARGET Eigen3::Eigen)
+  include(CMakeFindDependencyMacro)
+  find_dependency(Eigen3 NO_MODULE)
+endif()
+include(${CMAKE_CURRENT_LIST_DIR}/contactlawsTargets.cmake)
