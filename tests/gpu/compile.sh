@@ -1,0 +1,12 @@
+#!/bin/sh
+# Compiles, but does not run, kernels that step a law on a GPU. Arguments: compiler options that find Eigen.
+set -eu
+cd "$(dirname "$0")"
+
+if ! command -v nvcc >/dev/null; then
+  echo "skipped: no nvcc"
+  exit 77
+fi
+# 20012: Eigen puts host/device words on defaulted functions, where nvcc ignores them.
+nvcc -std=c++17 --expt-relaxed-constexpr -diag-suppress 20012 -Werror all-warnings \
+  -I../../include "$@" -c kernel.cu -o /dev/null
