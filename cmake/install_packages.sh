@@ -42,7 +42,7 @@ install_packages() {
   offered=
   for names in $missing; do
     for name in $(echo "$names" | tr '|' ' '); do
-      if apt-cache show "$name" >/dev/null 2>&1; then break; fi
+      if apt-get -qq --simulate install "$name" >/dev/null 2>&1; then break; fi
     done
     offered="$offered $name"
   done

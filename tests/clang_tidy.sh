@@ -3,8 +3,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-if ! command -v clang-tidy >/dev/null; then
-  echo "skipped: no clang-tidy"
-  exit 77
-fi
-clang-tidy --quiet tests/consume/main.cpp -- -std=c++17 -Iinclude "$@"
+# shellcheck source=tests/clang_tool.sh
+. tests/clang_tool.sh
+find_clang_tool clang-tidy
+"$tool" --quiet tests/consume/main.cpp -- -std=c++17 -Iinclude "$@"
