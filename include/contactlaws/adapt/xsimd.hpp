@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Packs of numbers: any kernel on xsimd::batch<double> or <float>, one contact a lane.
+#pragma once
+
+#include <xsimd/xsimd.hpp>
+
+#include "contactlaws/scalar.hpp"
+
+namespace Eigen {
+template <class L, class A>
+struct NumTraits<xsimd::batch<L, A>> : GenericNumTraits<xsimd::batch<L, A>> {
+  using Real = xsimd::batch<L, A>;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = L;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};
+}  // namespace Eigen
+
+namespace contactlaws {
+template <class L, class A>
+struct ScalarTraits<xsimd::batch<L, A>> {
+  using Pack = xsimd::batch<L, A>;
+  using Mask = xsimd::batch_bool<L, A>;
+  using Lane = L;
+
+  static Pack select(const Mask& condition, const Pack& yes, const Pack& no) noexcept {
+    return xsimd::select(condition, yes, no);
+  }
+  static bool any(const Mask& condition) noexcept { return xsimd::any(condition); }
+};
+}  // namespace contactlaws

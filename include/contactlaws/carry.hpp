@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Carrying the stored shear vector to the new contact plane as the contact turns. Three ways, by what they keep:
+//
+//   Project         s - (s.n) n                            loses length as the plane turns: O(angle^2) a step
+//   ProjectRestore  the same, stretched to its old length  keeps length; direction right to O(angle^2) a step
+//   Rotate          turned with the normal, then about it  exact for any turn short of reversal; stores the last normal
+//                   by the pair's common spin              (three values more of state)
+#pragma once
+
+#include <array>
+
+#include "contactlaws/parameter.hpp"
+#include "contactlaws/scalar.hpp"
+
+namespace contactlaws::carry {
+
+template <class T>
+struct Project {
+  struct State {};
+  static constexpr std::array<StateValue, 0> state_values() { return {}; }
+  template <class U>
+  using Rebind = Project<U>;
+
+  /// The stored `shear` in the plane of `normal`; `twist` [rad] is the turn about the normal since the last step.
+  CONTACTLAWS_HD static Vec3<T> apply(State&, const Vec3<T>& shear, const Vec3<T>& normal,
+                                      const T& /*twist*/) noexcept {
+    return shear - normal * shear.dot(normal);
+  }
+};
+
+template <class T>
+struct ProjectRestore {
+  struct State {};
+  static constexpr std::array<StateValue, 0> state_values() { return {}; }
+  template <class U>
+  using Rebind = ProjectRestore<U>;
+
+  CONTACTLAWS_HD static Vec3<T> apply(State&, const Vec3<T>& shear, const Vec3<T>& normal,
+                                      const T& /*twist*/) noexcept {
+    const T out_of_plane = shear.dot(normal);
+    if (!any<T>(out_of_plane < T(0) || out_of_plane > T(0))) return shear;
+    const Vec3<T> in_plane = shear - normal * out_of_plane;
+    const T length = norm<T>(in_plane);
+    const Mask<T> stretchable = length > T(0);
+    const T stretch = select<T>(stretchable, norm<T>(shear), T(1)) / select<T>(stretchable, length, T(1));
+    return in_plane * stretch;
+  }
+};
+
+template <class T>
+struct Rotate {
+  struct State {
+    std::array<T, 3> last_normal{};  ///< of the step before; 0 for a new contact
+  };
+  static constexpr std::array<StateValue, 3> state_values() {
+    return {{{"last_normal_x", "1", -1}, {"last_normal_y", "1", -1}, {"last_normal_z", "1", -1}}};
+  }
+  template <class U>
+  using Rebind = Rotate<U>;
+
+  CONTACTLAWS_HD static Vec3<T> apply(State& state, const Vec3<T>& shear, const Vec3<T>& normal,
+                                      const T& twist) noexcept {
+    using std::cos;
+    using std::sin;
+    const Vec3<T> last(state.last_normal[0], state.last_normal[1], state.last_normal[2]);
+    state.last_normal = {normal.x(), normal.y(), normal.z()};
+    // Rodrigues' formula for the shortest turn from `last` to `normal`: no angle is ever formed.
+    const Vec3<T> axis = last.cross(normal);  // times the sine
+    const T cosine = last.dot(normal);
+    const T one_plus_cosine = T(1) + cosine;
+    const T along = axis.dot(shear) / select<T>(one_plus_cosine > T(0), one_plus_cosine, T(1));
+    const Vec3<T> turned = shear * cosine + axis.cross(shear) + axis * along;
+    if (!any<T>(twist < T(0) || twist > T(0))) return turned;
+    return turned * T(cos(twist)) + normal.cross(turned) * T(sin(twist));
+  }
+};
+
+}  // namespace contactlaws::carry

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// A contact law is four slots: a normal law, dashpots, a shear law, a liquid bridge. Whatever a slot leaves out costs
+// nothing: no byte of state, no operation, no parameter. (Potyondy 2019, Sec. 1.6.)
+//
+//   force on body 2 = (F_n - F_m) n + F_s        F_n surface force, F_m pull of the bridge, F_s shear force
+//
+// The one verb is step(): from the pair, the motion and the contact's state to the force and the next state. It is pure
+// (asking twice gives the same answer twice), never throws, allocates nothing.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <tuple>
+#include <type_traits>
+
+#include "contactlaws/dashpots.hpp"
+#include "contactlaws/kinematics.hpp"
+#include "contactlaws/liquid_bridge.hpp"
+#include "contactlaws/material.hpp"
+#include "contactlaws/shear.hpp"
+#include "contactlaws/slots.hpp"
+
+namespace contactlaws {
+
+/// What a step yields.
+template <class T, class State>
+struct Step {
+  Vec3<T> force;    ///< on body 2, at the contact point; body 1 gets the opposite [N]
+  State state;      ///< the contact's history after the step
+  T elastic;        ///< normal spring's part, compression > 0 [N]
+  T surface;        ///< normal spring and dashpot, F_n [N]
+  T attraction;     ///< the bridge's pull, F_m [N]
+  Mask<T> active;   ///< touching, or bridged
+  Mask<T> sliding;  ///< friction limited the shear force
+};
+
+/// Translational stiffnesses of a contact, for the estimate of a stable time step [N/m].
+template <class T>
+struct ContactStiffness {
+  T normal;
+  T shear;
+};
+
+template <class Normal, class Damping = NoDashpots<typename Normal::Scalar>,
+          class Shear = Frictionless<typename Normal::Scalar>, class Bridge = Dry<typename Normal::Scalar>>
+struct ContactLaw {
+  using T = typename Normal::Scalar;
+  using Scalar = T;
+
+  Normal normal;
+  Damping damping;
+  Shear shear;
+  Bridge bridge;
+
+  /// History of one contact: values of T only, trivially copyable, virgin when value-initialised.
+  struct CONTACTLAWS_EMPTY_BASES State : Normal::State, Shear::State, Bridge::State {};
+
+  /// Name, unit and sign under exchange of the two bodies, of each value of State in its order.
+  static constexpr auto state_values() {
+    return joined(joined(Normal::state_values(), Shear::state_values()), Bridge::state_values());
+  }
+  static constexpr std::size_t state_size =
+      Normal::state_values().size() + Shear::state_values().size() + Bridge::state_values().size();
+  static_assert(state_size == 0 || sizeof(State) == state_size * sizeof(T), "a State holds values of T only");
+
+  /// What value i of the state is multiplied by when bodies 1 and 2 swap places: -1 for vectors, +1 for scalars.
+  static constexpr int exchange_sign(std::size_t i) { return state_values()[i].exchange_sign; }
+
+  /// A state as the host keeps it, and back: state_size values of T.
+  CONTACTLAWS_HD static void store(const State& state, T* values) noexcept {
+    if constexpr (state_size > 0) std::memcpy(values, &state, sizeof(State));
+  }
+  CONTACTLAWS_HD static State load(const T* values) noexcept {
+    State state{};
+    if constexpr (state_size > 0) std::memcpy(static_cast<void*>(&state), values, sizeof(State));
+    return state;
+  }
+
+  /// Force on body 2 and the next state.
+  CONTACTLAWS_HD Step<T, State> step(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
+                                     const State& state) const noexcept {
+    Step<T, State> result{Vec3<T>(T(0), T(0), T(0)),  state,         T(0), T(0), T(0),
+                          kinematics.overlap >= T(0), Mask<T>(false)};
+    const Mask<T> touching = kinematics.overlap > T(0);
+    if (any<T>(touching)) {
+      touch(pair, kinematics, result);
+    } else {
+      let_go(pair, result.state);
+    }
+    if constexpr (Bridge::attracts) {
+      const BridgeResponse<T> pull = bridge.respond(result.state, pair, kinematics.overlap);
+      result.attraction = pull.force;
+      result.active = result.active || pull.intact;
+      result.force = result.force - kinematics.normal * pull.force;
+    }
+    return result;
+  }
+
+  /// Largest gap across which a contact can act [m]: how far a neighbour list must reach beyond touch.
+  CONTACTLAWS_HD T interaction_range(const PairProperties<T>& pair) const noexcept { return bridge.range(pair); }
+
+  /// Stiffnesses for the time step (Potyondy 2019, Eqs 19-21); a bridged gap counts as an overlap of 2e-4 R_o.
+  CONTACTLAWS_HD ContactStiffness<T> stiffness(const PairProperties<T>& pair, const T& overlap,
+                                               const State& state) const noexcept {
+    State scratch = state;
+    const T counted = select<T>(overlap > T(0), overlap, T(pair.smaller_radius * T(2) / T(10000)));
+    const auto response = normal.respond(scratch, pair, counted);
+    const T factor = damping.stiffening();
+    if constexpr (Shear::resists) {
+      return {response.stiffness * factor, T(shear.stiffness(pair, response) * factor)};
+    } else {
+      return {response.stiffness * factor, T(0)};
+    }
+  }
+
+  /// Energy stored in springs and bridge [J], of a state that step() returned at this overlap.
+  CONTACTLAWS_HD T stored_energy(const PairProperties<T>& pair, const T& overlap, const State& state) const noexcept {
+    const T closed = positive_part<T>(overlap);
+    T total = normal.energy(state, pair, closed);
+    if constexpr (Shear::resists) {
+      State scratch = state;
+      total = total + shear.energy(state, shear.stiffness(pair, normal.respond(scratch, pair, closed)));
+    }
+    if constexpr (Bridge::attracts) total = total + bridge.energy(state, pair, overlap);
+    return total;
+  }
+
+  /// Wets the contact where its gap is at most `moisture_gap` [m]; dries it. Forces follow with the next step.
+  CONTACTLAWS_HD static void make_wet(State& state, const T& overlap, const T& moisture_gap) noexcept {
+    static_assert(Bridge::attracts, "make_wet needs a law with a bridge");
+    Bridge::make_wet(state, overlap, moisture_gap);
+  }
+  CONTACTLAWS_HD static void make_dry(State& state) noexcept {
+    static_assert(Bridge::attracts, "make_dry needs a law with a bridge");
+    Bridge::make_dry(state);
+  }
+
+  std::tuple<const Normal&, const Damping&, const Shear&, const Bridge&> slots() const {
+    return {normal, damping, shear, bridge};
+  }
+
+  /// The same law on another scalar: float, a pack, a number of 200 bits.
+  template <class U>
+  using Rebind = ContactLaw<typename Normal::template Rebind<U>, typename Damping::template Rebind<U>,
+                            typename Shear::template Rebind<U>, typename Bridge::template Rebind<U>>;
+  template <class U>
+  CONTACTLAWS_HD Rebind<U> cast() const {
+    return {slot_cast<U>(normal), slot_cast<U>(damping), slot_cast<U>(shear), slot_cast<U>(bridge)};
+  }
+
+ private:
+  CONTACTLAWS_HD void touch(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
+                            Step<T, State>& result) const noexcept {
+    const T separating = kinematics.velocity.dot(kinematics.normal);
+    const auto response = normal.respond(result.state, pair, positive_part<T>(kinematics.overlap));
+    result.elastic = response.force;
+    result.surface = damping.normal_force(response.force, response.secant, pair.mass, separating);
+    result.force = kinematics.normal * result.surface;
+    if constexpr (Shear::resists) {
+      const ShearInput<T> input{kinematics, Vec3<T>(kinematics.velocity - kinematics.normal * separating),
+                                shear.stiffness(pair, response), pair.mass, positive_part<T>(result.surface)};
+      const ShearResponse<T> sheared = shear.respond(result.state, input, damping);
+      result.force = result.force + sheared.force;
+      result.sliding = sheared.sliding;
+    }
+  }
+
+  /// What an open contact keeps: the normal law says, shear forgets.
+  CONTACTLAWS_HD void let_go(const PairProperties<T>& pair, State& state) const noexcept {
+    normal.respond(state, pair, T(0));
+    static_cast<typename Shear::State&>(state) = typename Shear::State{};
+  }
+};
+
+}  // namespace contactlaws

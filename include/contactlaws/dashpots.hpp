@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Viscous dashpots beside the springs, at a damping that no impact speed changes:
+//
+//   normal   F_d = -c_n v_n,   c_n = alpha sqrt(m* k_n o^(1/2))     k_n o^(1/2): the normal law's secant stiffness
+//   shear    F_d = -c_s v_s,   c_s = alpha sqrt(m* k_s o^(1/2))     k_s o^(1/2): the shear stiffness
+//
+// Tsuji, Tanaka & Ishida (1992); Potyondy (2019) Eqs 13, 17 and Table 4. For a linear spring the same form holds and
+// alpha is twice the damping ratio. Domain: alpha >= 0; m* k must not underflow. No history.
+// alpha from a coefficient of restitution: restitution.hpp. Error: <= 2 ULP in a coefficient (tests/test_dashpots.cpp).
+#pragma once
+
+#include <array>
+
+#include "contactlaws/parameter.hpp"
+#include "contactlaws/slots.hpp"
+
+namespace contactlaws {
+
+/// Whether the normal dashpot may pull at the end of an impact, when spring and dashpot together would.
+enum class Tension {
+  allowed,  ///< the sum of both, as Potyondy (2019) Eq. 13 writes it
+  clipped   ///< never below zero
+};
+
+/// No dashpots: nothing computed.
+template <class T>
+struct NoDashpots {
+  template <class U>
+  using Rebind = NoDashpots<U>;
+  static constexpr bool dissipates = false;
+
+  static constexpr const char* name = "NoDashpots";
+  static constexpr std::array<Parameter<NoDashpots, T>, 0> parameters() { return {}; }
+
+  CONTACTLAWS_HD T normal_force(const T& elastic, const T& /*secant*/, const T& /*mass*/,
+                                const T& /*separating*/) const noexcept {
+    return elastic;
+  }
+  CONTACTLAWS_HD T stiffening() const noexcept { return T(1); }
+};
+
+template <class T, Tension tension = Tension::allowed>
+struct Dashpots {
+  template <class U>
+  using Rebind = Dashpots<U, tension>;
+  static constexpr bool dissipates = true;
+
+  T damping_constant = T(0);  ///< alpha [1]
+
+  static constexpr const char* name = "Dashpots";
+  static constexpr std::array<Parameter<Dashpots, T>, 1> parameters() {
+    return {{{"damping_constant", "1", &Dashpots::damping_constant, Range::not_negative()}}};
+  }
+
+  /// c [kg/s], of a mass [kg] on a spring [N/m].
+  CONTACTLAWS_HD T coefficient(const T& mass, const T& stiffness) const noexcept {
+    using std::sqrt;
+    return damping_constant * T(sqrt(T(mass * stiffness)));
+  }
+
+  /// Spring and dashpot together [N]; `separating` = v_n [m/s].
+  CONTACTLAWS_HD T normal_force(const T& elastic, const T& secant, const T& mass, const T& separating) const noexcept {
+    const T total = elastic - coefficient(mass, secant) * separating;
+    if constexpr (tension == Tension::clipped) return positive_part<T>(total);
+    return total;
+  }
+
+  /// Factor on a contact's stiffness in the estimate of a stable step (Potyondy 2019, Eqs 20-21):
+  /// 1 / (sqrt(1 + b^2) - b)^2 = (sqrt(1 + b^2) + b)^2, b = alpha/2.
+  CONTACTLAWS_HD T stiffening() const noexcept {
+    using std::sqrt;
+    const T b = damping_constant / T(2);
+    const T root = T(sqrt(T(T(1) + b * b))) + b;
+    return root * root;
+  }
+};
+
+}  // namespace contactlaws

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Shear by increments, limited by friction (Potyondy 2019, Eqs 14-18), k = k_s o^(1/2), P the normal surface force >= 0:
+//
+//   trial    F_h* = carried F_h - k v_s dt        limit  |F_h| <= mu P, direction kept      F_h is the history
+//   trial    F*   = F_h - c_s v_s                 limit  |F|   <= mu P, direction kept      F acts on body 2
+//
+// What the history stores, and what unloading (a falling k) does to it, makes four laws that all go by the name of
+// Hertz-Mindlin; they agree while the overlap does not change:
+//
+//   ShearForce                 force                         keeps the force as the overlap changes (Potyondy 2019)
+//   ShearForceRescaled         force, times k/k_before       a falling k lowers the force: gives back no energy it has not
+//   ShearDisplacement          displacement, F_h = -k d      force follows k up and down (absolute; memo's Appendix A)
+//   ShearDisplacementRescaled  displacement, times k/k_before  a falling k lowers it twice (Thornton's rule as LAMMPS has it)
+//
+// Where the stiffness comes from: Mindlin (k = 8 G* a, Mindlin 1949) or ConstantRatio (k = ratio dF_n/do).
+// Domain: any step. Three values of history, four when rescaled, and what the carrying stores.
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "contactlaws/carry.hpp"
+#include "contactlaws/material.hpp"
+#include "contactlaws/parameter.hpp"
+#include "contactlaws/slots.hpp"
+
+namespace contactlaws {
+
+/// No shear: nothing computed, nothing stored.
+template <class T>
+struct Frictionless {
+  template <class U>
+  using Rebind = Frictionless<U>;
+  static constexpr bool resists = false;
+
+  struct State {};
+  static constexpr const char* name = "Frictionless";
+  static constexpr std::array<Parameter<Frictionless, T>, 0> parameters() { return {}; }
+  static constexpr std::array<StateValue, 0> state_values() { return {}; }
+};
+
+/// Shear stiffness k = 8 G* a of a Hertz contact of radius a (Mindlin 1949; Potyondy 2019, Table 4).
+template <class T>
+struct Mindlin {
+  template <class U>
+  using Rebind = Mindlin<U>;
+  static constexpr std::array<Parameter<Mindlin, T>, 0> parameters() { return {}; }
+
+  CONTACTLAWS_HD T stiffness(const PairProperties<T>& pair, const HertzResponse<T>& normal) const noexcept {
+    return T(8) * pair.shear * normal.contact_radius;
+  }
+};
+
+/// Shear stiffness in a constant ratio to the tangent of the normal law.
+template <class T>
+struct ConstantRatio {
+  template <class U>
+  using Rebind = ConstantRatio<U>;
+  T ratio = T(1);  ///< k_s / k_n [1]; the linear law's kappa is its inverse
+  static constexpr std::array<Parameter<ConstantRatio, T>, 1> parameters() {
+    return {{{"ratio", "1", &ConstantRatio::ratio, Range::positive()}}};
+  }
+
+  CONTACTLAWS_HD T stiffness(const PairProperties<T>&, const NormalResponse<T>& normal) const noexcept {
+    return ratio * normal.stiffness;
+  }
+};
+
+enum class Stored { force, displacement };
+enum class Unloading { keeps, rescales };
+
+namespace detail {
+
+template <class T>
+struct ShearHistory {
+  std::array<T, 3> shear{};  ///< shear force [N] or displacement [m]
+};
+template <class T>
+struct LastStiffness {
+  T last_stiffness{};  ///< shear stiffness of the step before [N/m]
+};
+struct NoLastStiffness {};
+
+template <class T>
+struct FrictionLimit {
+  T factor;  ///< on the force: 1 where friction suffices
+  Mask<T> exceeded;
+};
+
+/// How `force` is to be shortened to `strength` >= 0. Exact guards: no division by zero, no lost squares.
+template <class T>
+CONTACTLAWS_HD FrictionLimit<T> friction_limit(const Vec3<T>& force, const T& strength) noexcept {
+  const T square = force.dot(force);
+  const T strength_square = strength * strength;
+  const Mask<T> surely_within = square_is_exact<T>(strength_square) && square <= strength_square;
+  if (!any<T>(!surely_within)) return {T(1), !surely_within};
+  const T magnitude = norm<T>(force);
+  const Mask<T> exceeded = magnitude > strength;
+  return {select<T>(exceeded, strength, T(1)) / select<T>(exceeded, magnitude, T(1)), exceeded};
+}
+
+}  // namespace detail
+
+template <class T, Stored stored, Unloading unloading, class Stiffness, class Carry>
+struct IncrementalShear : Stiffness {
+  template <class U>
+  using Rebind = IncrementalShear<U, stored, unloading, typename Stiffness::template Rebind<U>,
+                                  typename Carry::template Rebind<U>>;
+  static constexpr bool resists = true;
+  static constexpr bool rescales = unloading == Unloading::rescales;
+
+  T friction = T(0);  ///< mu [1]
+
+  struct CONTACTLAWS_EMPTY_BASES State
+      : detail::ShearHistory<T>,
+        std::conditional_t<rescales, detail::LastStiffness<T>, detail::NoLastStiffness>,
+        Carry::State {};
+
+  static constexpr const char* name = stored == Stored::force ? (rescales ? "ShearForceRescaled" : "ShearForce")
+                                      : rescales              ? "ShearDisplacementRescaled"
+                                                              : "ShearDisplacement";
+  static constexpr auto parameters() {
+    std::array<Parameter<IncrementalShear, T>, 1> own{
+        {{"friction", "1", &IncrementalShear::friction, Range::not_negative()}}};
+    std::array<Parameter<IncrementalShear, T>, Stiffness::parameters().size()> inherited{};
+    for (std::size_t i = 0; i < inherited.size(); ++i) {
+      const auto p = Stiffness::parameters()[i];
+      inherited[i] = {p.name, p.unit, p.member, p.range};
+    }
+    return joined(own, inherited);
+  }
+  static constexpr auto state_values() {
+    constexpr const char* unit = stored == Stored::force ? "N" : "m";
+    const std::array<StateValue, 3> vector{{{"shear_x", unit, -1}, {"shear_y", unit, -1}, {"shear_z", unit, -1}}};
+    if constexpr (rescales) {
+      const std::array<StateValue, 1> last{{{"last_stiffness", "N/m", +1}}};
+      return joined(joined(vector, last), Carry::state_values());
+    } else {
+      return joined(vector, Carry::state_values());
+    }
+  }
+
+  template <class Damping>
+  CONTACTLAWS_HD ShearResponse<T> respond(State& state, const ShearInput<T>& in,
+                                          const Damping& damping) const noexcept {
+    Vec3<T> history = Carry::apply(state, Vec3<T>(state.shear[0], state.shear[1], state.shear[2]), in.kinematics.normal,
+                                   T(in.kinematics.spin * in.kinematics.dt));
+    if constexpr (rescales) {
+      const Mask<T> falls = in.stiffness < state.last_stiffness;
+      const T fall = select<T>(falls, in.stiffness, T(1)) / select<T>(falls, state.last_stiffness, T(1));
+      history = history * fall;
+      state.last_stiffness = in.stiffness;
+    }
+
+    const T strength = friction * in.pressing;
+    const Vec3<T> slid = in.velocity * in.kinematics.dt;
+    Vec3<T> spring;
+    if constexpr (stored == Stored::force) {
+      spring = history - slid * in.stiffness;
+    } else {
+      history = history + slid;
+      spring = history * T(-in.stiffness);
+    }
+    const detail::FrictionLimit<T> first = detail::friction_limit<T>(spring, strength);
+    spring = spring * first.factor;
+    if constexpr (stored == Stored::force) {
+      history = spring;
+    } else {
+      history = history * select<T>(in.stiffness > T(0), first.factor, T(0));
+    }
+    state.shear = {history.x(), history.y(), history.z()};
+
+    if constexpr (Damping::dissipates) {
+      const Vec3<T> total = spring - in.velocity * damping.coefficient(in.mass, in.stiffness);
+      const detail::FrictionLimit<T> second = detail::friction_limit<T>(total, strength);
+      return {total * second.factor, first.exceeded || second.exceeded};
+    } else {
+      return {spring, first.exceeded};
+    }
+  }
+
+  /// Energy stored in the shear spring [J]; `stiffness` at the overlap of the state.
+  CONTACTLAWS_HD T energy(const State& state, const T& stiffness) const noexcept {
+    const Vec3<T> history(state.shear[0], state.shear[1], state.shear[2]);
+    const T square = history.dot(history);
+    if constexpr (stored == Stored::force) {
+      const Mask<T> closed = stiffness > T(0);
+      return select<T>(closed, square, T(0)) / (T(2) * select<T>(closed, stiffness, T(1)));
+    } else {
+      return square * stiffness / T(2);
+    }
+  }
+};
+
+template <class T, class Stiffness = Mindlin<T>, class Carry = carry::ProjectRestore<T>>
+using ShearForce = IncrementalShear<T, Stored::force, Unloading::keeps, Stiffness, Carry>;
+template <class T, class Stiffness = Mindlin<T>, class Carry = carry::ProjectRestore<T>>
+using ShearForceRescaled = IncrementalShear<T, Stored::force, Unloading::rescales, Stiffness, Carry>;
+template <class T, class Stiffness = Mindlin<T>, class Carry = carry::ProjectRestore<T>>
+using ShearDisplacement = IncrementalShear<T, Stored::displacement, Unloading::keeps, Stiffness, Carry>;
+template <class T, class Stiffness = Mindlin<T>, class Carry = carry::ProjectRestore<T>>
+using ShearDisplacementRescaled = IncrementalShear<T, Stored::displacement, Unloading::rescales, Stiffness, Carry>;
+
+}  // namespace contactlaws
