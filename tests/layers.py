@@ -12,12 +12,14 @@ import sys
 from pathlib import Path
 
 LAYERS = [
-    "config version parameter",
-    "scalar validate",
-    "material kinematics carry",
-    "linear hertz pohrt_popov dashpots shear liquid_bridge restitution timestep energy",
-    "contact_law",
-    "laws batch",
+    "config version",
+    "scalar",
+    "parameter",
+    "validate kinematics",
+    "material carry slots",
+    "linear hertz pohrt_popov dashpots shear liquid_bridge",
+    "contact_law restitution",
+    "laws batch timestep energy",
     "contactlaws",
 ]
 LAYER = {f"{name}.hpp": layer for layer, names in enumerate(LAYERS) for name in names.split()}

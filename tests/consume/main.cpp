@@ -1,10 +1,22 @@
 #include <contactlaws/contactlaws.hpp>
 #include <iostream>
 
-double length_in_other_unit();
+double force_in_other_unit(double overlap);
 
 int main() {
-  const double length = contactlaws::norm<double>({3.0, 0.0, 4.0});
-  std::cout << "contactlaws " << contactlaws::version << ": " << length << ' ' << length_in_other_unit() << '\n';
-  return length == length_in_other_unit() ? 0 : 1;
+  using namespace contactlaws;
+  const ElasticMaterial<double> glass{70e9, 0.2, 2500.0};
+  const PairProperties<double> pair = pair_properties(sphere(glass, 1e-3), plane(glass));
+  const Hill<double> law = hill<double>({0.5, 2e4, 0.1});
+
+  ContactKinematics<double> kinematics{};
+  kinematics.normal = {1.0, 0.0, 0.0};
+  kinematics.overlap = 1e-7;
+  kinematics.velocity = {0.0, 1e-3, 0.0};
+  kinematics.dt = 1e-6;
+  const auto step = law.step(pair, kinematics, Hill<double>::State{});
+
+  const double elsewhere = force_in_other_unit(kinematics.overlap);
+  std::cout << "contactlaws " << version << ": " << step.elastic << " N, " << elsewhere << " N\n";
+  return step.elastic > 0.0 && step.elastic == elsewhere ? 0 : 1;
 }

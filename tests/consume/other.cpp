@@ -1,3 +1,12 @@
 #include <contactlaws/contactlaws.hpp>
 
-double length_in_other_unit() { return contactlaws::norm<double>({4.0, 3.0, 0.0}); }
+double force_in_other_unit(double overlap) {
+  using namespace contactlaws;
+  const ElasticMaterial<double> glass{70e9, 0.2, 2500.0};
+  const PairProperties<double> pair = pair_properties(sphere(glass, 1e-3), plane(glass));
+  ContactKinematics<double> kinematics{};
+  kinematics.normal = {1.0, 0.0, 0.0};
+  kinematics.overlap = overlap;
+  kinematics.velocity.setZero();
+  return dry_hill<double>({0.5, 0.0, 0.1}).step(pair, kinematics, {}).elastic;
+}
