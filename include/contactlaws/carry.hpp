@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "contactlaws/parameter.hpp"
 #include "contactlaws/scalar.hpp"
@@ -37,12 +38,16 @@ struct ProjectRestore {
 
   CONTACTLAWS_HD static Vec3<T> apply(State&, const Vec3<T>& shear, const Vec3<T>& normal,
                                       const T& /*twist*/) noexcept {
+    using std::sqrt;
     const T out_of_plane = shear.dot(normal);
-    if (!any<T>(out_of_plane < T(0) || out_of_plane > T(0))) return shear;
     const Vec3<T> in_plane = shear - normal * out_of_plane;
-    const T length = norm<T>(in_plane);
-    const Mask<T> stretchable = length > T(0);
-    const T stretch = select<T>(stretchable, norm<T>(shear), T(1)) / select<T>(stretchable, length, T(1));
+    const T lost = out_of_plane * out_of_plane;
+    const T kept = in_plane.dot(in_plane);
+    // A turn whose square is below rounding changes no length; nor does any turn of a shear that is nothing.
+    using Lane = typename ScalarTraits<T>::Lane;
+    const Mask<T> shorter = lost > kept * T(std::numeric_limits<Lane>::epsilon());
+    if (!any<T>(shorter)) return in_plane;
+    const T stretch = sqrt(T(T(1) + select<T>(shorter, lost, T(0)) / select<T>(shorter, kept, T(1))));
     return in_plane * stretch;
   }
 };

@@ -152,15 +152,19 @@ struct ContactLaw {
  private:
   CONTACTLAWS_HD void touch(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
                             Step<T, State>& result) const noexcept {
-    const T separating = kinematics.velocity.dot(kinematics.normal);
     const auto response = normal.respond(result.state, pair, positive_part<T>(kinematics.overlap));
+    T shear_stiffness = T(0);
+    if constexpr (Shear::resists) shear_stiffness = shear.stiffness(pair, response);
+    const DampingCoefficients<T> dashpot = damping.coefficients(pair.mass, response.secant, shear_stiffness);
+
+    const T separating = kinematics.velocity.dot(kinematics.normal);
     result.elastic = response.force;
-    result.surface = damping.normal_force(response.force, response.secant, pair.mass, separating);
+    result.surface = damping.normal_force(response.force, dashpot.normal, separating);
     result.force = kinematics.normal * result.surface;
     if constexpr (Shear::resists) {
       const ShearInput<T> input{kinematics, Vec3<T>(kinematics.velocity - kinematics.normal * separating),
-                                shear.stiffness(pair, response), pair.mass, positive_part<T>(result.surface)};
-      const ShearResponse<T> sheared = shear.respond(result.state, input, damping);
+                                shear_stiffness, dashpot.shear, positive_part<T>(result.surface)};
+      const ShearResponse<T> sheared = shear.template respond<Damping::dissipates>(result.state, input);
       result.force = result.force + sheared.force;
       result.sliding = sheared.sliding;
     }

@@ -32,10 +32,10 @@ struct NoDashpots {
   static constexpr const char* name = "NoDashpots";
   static constexpr std::array<Parameter<NoDashpots, T>, 0> parameters() { return {}; }
 
-  CONTACTLAWS_HD T normal_force(const T& elastic, const T& /*secant*/, const T& /*mass*/,
-                                const T& /*separating*/) const noexcept {
-    return elastic;
+  CONTACTLAWS_HD DampingCoefficients<T> coefficients(const T&, const T&, const T&) const noexcept {
+    return {T(0), T(0)};
   }
+  CONTACTLAWS_HD T normal_force(const T& elastic, const T&, const T&) const noexcept { return elastic; }
   CONTACTLAWS_HD T stiffening() const noexcept { return T(1); }
 };
 
@@ -52,15 +52,15 @@ struct Dashpots {
     return {{{"damping_constant", "1", &Dashpots::damping_constant, Range::not_negative()}}};
   }
 
-  /// c [kg/s], of a mass [kg] on a spring [N/m].
-  CONTACTLAWS_HD T coefficient(const T& mass, const T& stiffness) const noexcept {
-    using std::sqrt;
-    return damping_constant * T(sqrt(T(mass * stiffness)));
+  /// c_n and c_s [kg/s] for an effective mass [kg], a normal secant stiffness and a shear stiffness [N/m].
+  CONTACTLAWS_HD DampingCoefficients<T> coefficients(const T& mass, const T& secant, const T& shear) const noexcept {
+    const Eigen::Array<T, 2, 1> roots = sqrt_pair<T>(mass * secant, mass * shear);
+    return {damping_constant * roots[0], damping_constant * roots[1]};
   }
 
   /// Spring and dashpot together [N]; `separating` = v_n [m/s].
-  CONTACTLAWS_HD T normal_force(const T& elastic, const T& secant, const T& mass, const T& separating) const noexcept {
-    const T total = elastic - coefficient(mass, secant) * separating;
+  CONTACTLAWS_HD T normal_force(const T& elastic, const T& coefficient, const T& separating) const noexcept {
+    const T total = elastic - coefficient * separating;
     if constexpr (tension == Tension::clipped) return positive_part<T>(total);
     return total;
   }

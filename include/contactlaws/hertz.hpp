@@ -18,18 +18,18 @@ namespace contactlaws {
 /// Hertz's response to an indentation >= 0 [m]; for rough surfaces that is less than the overlap.
 template <class T>
 CONTACTLAWS_HD HertzResponse<T> hertz_response(const PairProperties<T>& pair, const T& indentation) noexcept {
-  using std::sqrt;
   // Two square roots, since the product R* o may underflow where neither factor does.
-  const T contact_radius = T(sqrt(pair.radius)) * T(sqrt(indentation));
+  const Eigen::Array<T, 2, 1> roots = sqrt_pair<T>(pair.radius, indentation);
+  const T contact_radius = roots[0] * roots[1];
   const T stiffness = T(2) * pair.young * contact_radius;
-  const T secant = stiffness * T(2) / T(3);
+  const T secant = stiffness * T(T(2) / T(3));
   return {{secant * indentation, stiffness, secant}, contact_radius};
 }
 
 /// Work to reach an indentation along Hertz's curve: 2/5 F d [J].
 template <class T>
 CONTACTLAWS_HD T hertz_energy(const PairProperties<T>& pair, const T& indentation) noexcept {
-  return T(hertz_response<T>(pair, indentation).force * indentation) * T(2) / T(5);
+  return T(hertz_response<T>(pair, indentation).force * indentation) * T(T(2) / T(5));
 }
 
 template <class T>

@@ -67,6 +67,12 @@ CONTACTLAWS_HD T larger(const T& a, const T& b) noexcept {
   return select<T>(a < b, b, a);
 }
 
+/// Two square roots for the price of one where the hardware has pairs.
+template <class T>
+CONTACTLAWS_HD Eigen::Array<T, 2, 1> sqrt_pair(const T& a, const T& b) noexcept {
+  return Eigen::Array<T, 2, 1>(a, b).sqrt();
+}
+
 /// Whether a sum of squares kept its digits: neither underflow nor overflow came near it.
 template <class T>
 CONTACTLAWS_HD Mask<T> square_is_exact(const T& square) noexcept {

@@ -140,9 +140,8 @@ struct IncrementalShear : Stiffness {
     }
   }
 
-  template <class Damping>
-  CONTACTLAWS_HD ShearResponse<T> respond(State& state, const ShearInput<T>& in,
-                                          const Damping& damping) const noexcept {
+  template <bool damped>
+  CONTACTLAWS_HD ShearResponse<T> respond(State& state, const ShearInput<T>& in) const noexcept {
     Vec3<T> history = Carry::apply(state, Vec3<T>(state.shear[0], state.shear[1], state.shear[2]), in.kinematics.normal,
                                    T(in.kinematics.spin * in.kinematics.dt));
     if constexpr (rescales) {
@@ -170,8 +169,8 @@ struct IncrementalShear : Stiffness {
     }
     state.shear = {history.x(), history.y(), history.z()};
 
-    if constexpr (Damping::dissipates) {
-      const Vec3<T> total = spring - in.velocity * damping.coefficient(in.mass, in.stiffness);
+    if constexpr (damped) {
+      const Vec3<T> total = spring - in.velocity * in.dashpot;
       const detail::FrictionLimit<T> second = detail::friction_limit<T>(total, strength);
       return {total * second.factor, first.exceeded || second.exceeded};
     } else {

@@ -3,8 +3,9 @@
 //
 //   normal   respond(State&, pair, overlap)                                      -> NormalResponse
 //            energy(State, pair, overlap) [J]
-//   damping  coefficient(mass, stiffness) [kg/s], normal_force(elastic, secant, mass, separating) [N], stiffening() [1]
-//   shear    respond(State&, ShearInput, damping)                                -> ShearResponse
+//   damping  coefficients(mass, normal secant, shear stiffness)                  -> DampingCoefficients
+//            normal_force(elastic, coefficient, separating) [N], stiffening() [1], dissipates (whether it does anything)
+//   shear    respond<damped>(State&, ShearInput)                                 -> ShearResponse
 //            stiffness(pair, normal response) [N/m], energy(State, stiffness) [J]
 //   bridge   respond(State&, pair, overlap)                                      -> BridgeResponse
 //            energy(State, pair, overlap) [J], range(pair) [m]
@@ -33,11 +34,17 @@ struct HertzResponse : NormalResponse<T> {
 };
 
 template <class T>
+struct DampingCoefficients {
+  T normal;  ///< c_n [kg/s]
+  T shear;   ///< c_s [kg/s]
+};
+
+template <class T>
 struct ShearInput {
   const ContactKinematics<T>& kinematics;
   Vec3<T> velocity;  ///< of sliding: in the contact plane, body 2 relative to body 1 [m/s]
   T stiffness;       ///< k_s o^(1/2) at this overlap, 0 when open [N/m]
-  T mass;            ///< m* [kg]
+  T dashpot;         ///< c_s [kg/s]; read when damped
   T pressing;        ///< normal surface force, bridge not counted, never negative: what friction multiplies [N]
 };
 
