@@ -17,8 +17,9 @@ LAYERS = [
     "parameter",
     "validate kinematics",
     "material carry slots",
-    "linear hertz pohrt_popov dashpots shear liquid_bridge",
-    "contact_law restitution",
+    "linear hertz dashpots shear liquid_bridge",
+    "pohrt_popov contact_law restitution",
+    "pohrt_popov_incremental",
     "laws batch timestep energy",
     "contactlaws",
 ]

@@ -105,7 +105,8 @@ struct ContactLaw {
                                                const State& state) const noexcept {
     State scratch = state;
     const T counted = select<T>(overlap > T(0), overlap, T(pair.smaller_radius * T(2) / T(10000)));
-    const auto response = normal.respond(scratch, pair, counted);
+    auto response = normal.respond(scratch, pair, counted);
+    response.stiffness = response.stiffest;
     const T factor = damping.stiffening();
     if constexpr (Shear::resists) {
       return {response.stiffness * factor, T(shear.stiffness(pair, response) * factor)};

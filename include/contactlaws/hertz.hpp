@@ -23,7 +23,7 @@ CONTACTLAWS_HD HertzResponse<T> hertz_response(const PairProperties<T>& pair, co
   const T contact_radius = roots[0] * roots[1];
   const T stiffness = T(2) * pair.young * contact_radius;
   const T secant = stiffness * T(T(2) / T(3));
-  return {{secant * indentation, stiffness, secant}, contact_radius};
+  return {{secant * indentation, stiffness, secant, stiffness}, contact_radius};
 }
 
 /// Work to reach an indentation along Hertz's curve: 2/5 F d [J].

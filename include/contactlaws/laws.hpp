@@ -5,6 +5,8 @@
 #include "contactlaws/contact_law.hpp"
 #include "contactlaws/hertz.hpp"
 #include "contactlaws/linear.hpp"
+#include "contactlaws/pohrt_popov.hpp"
+#include "contactlaws/pohrt_popov_incremental.hpp"
 #include "contactlaws/validate.hpp"
 
 namespace contactlaws {
@@ -28,6 +30,11 @@ using LinearFriction = ContactLaw<LinearModulus<T>, NoDashpots<T>, ShearForce<T,
 /// Linear springs of a given stiffness, dashpots and friction (Cundall & Strack 1979). State: the shear force.
 template <class T, Tension tension = Tension::allowed>
 using LinearSpringDashpot = ContactLaw<LinearSpring<T>, Dashpots<T, tension>, ShearForce<T, ConstantRatio<T>>>;
+
+/// Rough ballast: Pohrt-Popov with loading history, friction, shear in a constant ratio (Tolomeo & McDowell 2022).
+/// State: the largest overlap and the shear force.
+template <class T>
+using RoughBallast = ContactLaw<PohrtPopovElastoPlastic<T>, NoDashpots<T>, ShearForce<T, ConstantRatio<T>>>;
 
 /// Properties of the hill law, with the memo's ranges and defaults (Potyondy 2019, Table 5).
 template <class T>

@@ -20,7 +20,7 @@ namespace detail {
 template <class T>
 CONTACTLAWS_HD NormalResponse<T> linear_response(const T& stiffness, const T& overlap) noexcept {
   const T active = select<T>(overlap > T(0), stiffness, T(0));
-  return {active * overlap, active, active};
+  return {active * overlap, active, active, active};
 }
 }  // namespace detail
 

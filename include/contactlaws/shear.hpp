@@ -66,6 +66,13 @@ struct ConstantRatio {
   }
 };
 
+/// The ratio that Mindlin's stiffness has to Hertz's tangent: 4 G*/E*, for one material 2 (1 - nu)/(2 - nu)
+/// (Tolomeo & McDowell 2022, Eq. 7).
+template <class T>
+CONTACTLAWS_HD T mindlin_ratio(const PairProperties<T>& pair) noexcept {
+  return T(4) * pair.shear / pair.young;
+}
+
 enum class Stored { force, displacement };
 enum class Unloading { keeps, rescales };
 

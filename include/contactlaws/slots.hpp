@@ -25,6 +25,7 @@ struct NormalResponse {
   T force;      ///< elastic (or plastic) force, compression > 0 [N]
   T stiffness;  ///< tangent stiffness dF/do of the active branch [N/m]
   T secant;     ///< force over indentation of the active branch, what dashpots scale with [N/m]
+  T stiffest;   ///< tangent of the stiffest branch that motion can enter from here, for the time step [N/m]
 };
 
 /// Of the normal laws that know the radius a of the contact: Mindlin's shear stiffness asks for it.

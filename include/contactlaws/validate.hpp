@@ -66,7 +66,7 @@ struct HasSlots<Owner, std::void_t<decltype(std::declval<const Owner&>().slots()
 /// `Owner` offers `name` and `parameters()` (Dashpots is a short example), or `slots()` that do.
 /// @throws std::invalid_argument at the first that does not
 template <class Owner>
-const Owner& checked(const Owner& owner) {
+Owner checked(const Owner& owner) {
   if constexpr (detail::HasSlots<Owner>::value) {
     std::apply([](const auto&... slot) { (checked(slot), ...); }, owner.slots());
   } else {

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Contact of rough surfaces, with loading history. A rough contact is softer than Hertz's until its roughness is pressed
+// flat, at the transition; in closed form it is a Hertz contact at a reduced indentation d(o) of the overlap o:
+//
+//   F = k_n d^(3/2),   k_n = 4/3 E* sqrt(R*),   x = o / o_c
+//   d = d_c x^p                 o < o_c      (dF/do = C F^beta, integrated)         p   = 2 / (3 (1 - beta))
+//   d = o - (o_c - d_c)         o >= o_c     (Hertz, shifted)                       o_c = p d_c
+//   beta = 0.2567 D_f           d_c = h 3/4 sqrt(pi) (20 / (pi^(3/2) D_f))^(1/beta)
+//
+// Force and slope are continuous at o_c; d_c and o_c depend on the surface alone, not on R* or E*.
+// Elasto-plastic: virgin loading follows d(o); below the largest overlap o_m ever reached, Hertz from there,
+//   d = d(o_m) - (o_m - o), never negative: the contact reopens at the plastic overlap o_p = o_m - d(o_m).
+//
+// Pohrt & Popov (2012); Tolomeo & McDowell (2022) Eqs 1-6, whose increments (pohrt_popov_incremental.hpp) these replace:
+// no step, no drift, no start. Domain: D_f in [2, 3], h > 0, o << R*. Error of F, given exponent and o_c: <= 6 ULP with
+// Power::accurate; Power::fast, exp(p log x), adds |p log x| eps. Near o_p, d is right to an ULP of d(o_m), no better:
+// the difference cancels (tests/test_pohrt_popov.cpp).
+#pragma once
+
+#include <array>
+
+#include "contactlaws/hertz.hpp"
+#include "contactlaws/material.hpp"
+#include "contactlaws/parameter.hpp"
+#include "contactlaws/slots.hpp"
+#include "contactlaws/validate.hpp"
+
+namespace contactlaws {
+
+/// A fractal surface.
+template <class T>
+struct RoughSurface {
+  T fractal_dimension;  ///< D_f [1]
+  T roughness;          ///< h, root mean square height [m]
+
+  static constexpr const char* name = "RoughSurface";
+  static constexpr std::array<Parameter<RoughSurface, T>, 2> parameters() {
+    return {{{"fractal_dimension", "1", &RoughSurface::fractal_dimension, Range::closed(2.0, 3.0)},
+             {"roughness", "m", &RoughSurface::roughness, Range::positive()}}};
+  }
+
+  /// beta, of k ~ F^beta before the transition.
+  T stiffness_exponent() const { return T(2567) / T(10000) * fractal_dimension; }
+  /// A_0 [m^2], the contact area at the transition (Tolomeo & McDowell 2022, Eq. 5).
+  T full_contact_area(const T& effective_radius) const { return pi<T>() * effective_radius * transition_indentation(); }
+  /// d_c [m], the indentation at which Hertz's contact would carry the transition force.
+  T transition_indentation() const {
+    using std::pow;
+    using std::sqrt;
+    const T root_pi = sqrt(pi<T>());
+    const T base = T(20) / (pi<T>() * root_pi * fractal_dimension);
+    return roughness * T(3) / T(4) * root_pi * T(pow(base, T(T(1) / stiffness_exponent())));
+  }
+};
+
+/// How a power is computed.
+enum class Power {
+  accurate,  ///< pow: to about an ULP
+  fast       ///< exp(p log x): relative error grows by |p log x| eps
+};
+
+/// What the surfaces remember once the bodies have been fully apart.
+enum class Recontact {
+  same_spot,     ///< the flattened asperities meet again: a rattling contact neither hardens nor softens (default)
+  fresh_surface  ///< virgin asperities meet: a contact that has moved on
+};
+
+/// Where on its loading history a contact stands.
+enum class Loading { open, virgin, unloading, reloading };
+
+/// d(o), and what it takes to get there.
+template <class T, Power power>
+struct RoughProfile {
+  T exponent = T(1);            ///< p [1]
+  T transition_overlap = T(0);  ///< o_c [m]
+
+  struct Indentation {
+    T depth;  ///< d [m]
+    T slope;  ///< dd/do [1]
+  };
+
+  /// d_c [m]
+  CONTACTLAWS_HD T transition_indentation() const noexcept { return transition_overlap / exponent; }
+
+  /// d and its slope at an overlap >= 0 [m].
+  CONTACTLAWS_HD Indentation indentation(const T& overlap) const noexcept {
+    using std::exp;
+    using std::log;
+    using std::pow;
+    const Mask<T> rough = overlap > T(0) && overlap < transition_overlap;
+    const T flat = overlap - (transition_overlap - transition_indentation());
+    if (!any<T>(rough)) return {positive_part<T>(flat), select<T>(overlap > T(0), T(1), T(0))};
+    const T x = select<T>(rough, overlap, transition_overlap) / transition_overlap;
+    T raised;
+    if constexpr (power == Power::accurate) {
+      raised = pow(x, exponent);
+    } else {
+      raised = exp(T(exponent * T(log(x))));
+    }
+    return {select<T>(rough, T(transition_indentation() * raised), positive_part<T>(flat)),
+            select<T>(overlap > T(0), T(raised / x), T(0))};
+  }
+
+  /// The overlap at which the indentation is `depth` >= 0 [m].
+  T overlap_of(const T& depth) const {
+    using std::pow;
+    const T at_transition = transition_indentation();
+    if (depth >= at_transition) return depth + (transition_overlap - at_transition);
+    return transition_overlap * T(pow(T(depth / at_transition), T(T(1) / exponent)));
+  }
+
+  /// Work of virgin loading to an overlap >= 0 [J]: F o / (3/2 p + 1) before the transition.
+  CONTACTLAWS_HD T virgin_work(const PairProperties<T>& pair, const T& overlap) const noexcept {
+    const T rough_part = smaller<T>(overlap, transition_overlap);
+    const T force = hertz_response<T>(pair, indentation(rough_part).depth).force;
+    const T beyond = hertz_energy<T>(pair, larger<T>(indentation(overlap).depth, transition_indentation())) -
+                     hertz_energy<T>(pair, transition_indentation());
+    return force * rough_part / (T(T(3) / T(2)) * exponent + T(1)) + beyond;
+  }
+
+ protected:
+  template <class Law>
+  static Law of(const RoughSurface<T>& surface) {
+    checked(surface);
+    Law law;
+    law.exponent = T(2) / (T(3) * (T(1) - surface.stiffness_exponent()));
+    law.transition_overlap = law.exponent * surface.transition_indentation();
+    return law;
+  }
+  template <class Owner>
+  static constexpr std::array<Parameter<Owner, T>, 2> parameters_of() {
+    return {{{"exponent", "1", &Owner::exponent, Range::closed(1.0, 3.0)},
+             {"transition_overlap", "m", &Owner::transition_overlap, Range::positive()}}};
+  }
+};
+
+/// Elastic: loading and unloading follow the same curve. No history.
+template <class T, Power power = Power::accurate>
+struct PohrtPopov : RoughProfile<T, power> {
+  using Scalar = T;
+  template <class U>
+  using Rebind = PohrtPopov<U, power>;
+
+  struct State {};
+  static constexpr const char* name = "PohrtPopov";
+  static constexpr auto parameters() { return PohrtPopov::template parameters_of<PohrtPopov>(); }
+  static constexpr std::array<StateValue, 0> state_values() { return {}; }
+
+  /// @throws std::invalid_argument naming the surface's parameter out of range
+  static PohrtPopov of(const RoughSurface<T>& surface) {
+    return RoughProfile<T, power>::template of<PohrtPopov>(surface);
+  }
+
+  CONTACTLAWS_HD NormalResponse<T> respond(State&, const PairProperties<T>& pair, const T& overlap) const noexcept {
+    const auto at = this->indentation(overlap);
+    const HertzResponse<T> hertz = hertz_response<T>(pair, at.depth);
+    const T stiffness = hertz.stiffness * at.slope;
+    const T secant = hertz.force / select<T>(overlap > T(0), overlap, T(1));
+    return {hertz.force, stiffness, secant, stiffness};
+  }
+  CONTACTLAWS_HD T energy(const State&, const PairProperties<T>& pair, const T& overlap) const noexcept {
+    return this->virgin_work(pair, overlap);
+  }
+};
+
+/// Elasto-plastic. History: the largest overlap, one exact number, from which the plastic overlap follows.
+template <class T, Recontact recontact = Recontact::same_spot, Power power = Power::accurate>
+struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
+  using Scalar = T;
+  template <class U>
+  using Rebind = PohrtPopovElastoPlastic<U, recontact, power>;
+
+  struct State {
+    T largest_overlap{};  ///< o_m [m]
+  };
+  static constexpr const char* name = "PohrtPopovElastoPlastic";
+  static constexpr auto parameters() {
+    return PohrtPopovElastoPlastic::template parameters_of<PohrtPopovElastoPlastic>();
+  }
+  static constexpr std::array<StateValue, 1> state_values() { return {{{"largest_overlap", "m", +1}}}; }
+
+  /// @throws std::invalid_argument naming the surface's parameter out of range
+  static PohrtPopovElastoPlastic of(const RoughSurface<T>& surface) {
+    return RoughProfile<T, power>::template of<PohrtPopovElastoPlastic>(surface);
+  }
+
+  CONTACTLAWS_HD NormalResponse<T> respond(State& state, const PairProperties<T>& pair,
+                                           const T& overlap) const noexcept {
+    const Mask<T> virgin = overlap >= state.largest_overlap;
+    const T largest = select<T>(virgin, overlap, state.largest_overlap);
+    const auto at_largest = this->indentation(largest);
+    const T depth = positive_part<T>(T(at_largest.depth - (largest - overlap)));
+    state.largest_overlap = largest;
+    if constexpr (recontact == Recontact::fresh_surface)
+      state.largest_overlap = select<T>(overlap > T(0), largest, T(0));
+    const HertzResponse<T> hertz = hertz_response<T>(pair, depth);
+    const T stiffness = hertz.stiffness * select<T>(virgin, at_largest.slope, T(1));
+    return {hertz.force, stiffness, hertz.secant, hertz.stiffness};
+  }
+
+  /// o_p [m], where the contact reopens.
+  CONTACTLAWS_HD T plastic_overlap(const State& state) const noexcept {
+    return state.largest_overlap - this->indentation(state.largest_overlap).depth;
+  }
+
+  /// What unloading would give back [J].
+  CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
+    const T largest = larger<T>(overlap, state.largest_overlap);
+    return hertz_energy<T>(pair, positive_part<T>(T(this->indentation(largest).depth - (largest - overlap))));
+  }
+  /// What flattening the asperities has cost so far [J].
+  CONTACTLAWS_HD T plastic_dissipation(const State& state, const PairProperties<T>& pair) const noexcept {
+    return this->virgin_work(pair, state.largest_overlap) -
+           hertz_energy<T>(pair, this->indentation(state.largest_overlap).depth);
+  }
+
+  /// Where a contact stands whose state was `before` at the last step; `separating` = v_n [m/s].
+  static Loading loading(const State& before, const T& overlap, const T& separating) noexcept {
+    if (!(overlap > T(0))) return Loading::open;
+    if (overlap >= before.largest_overlap) return Loading::virgin;
+    return separating > T(0) ? Loading::unloading : Loading::reloading;
+  }
+};
+
+}  // namespace contactlaws

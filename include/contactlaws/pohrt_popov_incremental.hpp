@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The rough law as its paper steps it (Tolomeo & McDowell 2022, Eqs 1 and 6): F := F + k(F) do, with
+//
+//   k(F) = k_c (F / F_c)^beta                 F < F_c      k_c = 2 E* sqrt(R* d_c)
+//        = (6 E*^2 F R*)^(1/3)                F >= F_c     (Hertz)
+//   elasto-plastic: unloading, and reloading up to the largest force, take Hertz's stiffness at every force
+//
+// k(0) = 0, so an update that starts at F = 0 stays there: it is given a start, the seed force to which a closing contact
+// is lifted. An alternative to pohrt_popov.hpp, kept so that the two can be compared.
+// Domain: as there, and small steps. Error: first order in the step (Order::first), or second (Order::second, midpoint),
+// once the seed is forgotten; it ratchets where the closed form does not. Measured in tests/test_pohrt_popov.cpp.
+#pragma once
+
+#include <array>
+
+#include "contactlaws/pohrt_popov.hpp"
+
+namespace contactlaws {
+
+enum class Order { first, second };
+enum class Unloads { elastically, plastically };
+
+template <class T, Unloads unloads = Unloads::plastically, Order order = Order::first>
+struct PohrtPopovIncremental : RoughProfile<T, Power::accurate> {
+  using Scalar = T;
+  template <class U>
+  using Rebind = PohrtPopovIncremental<U, unloads, order>;
+  static constexpr bool plastic = unloads == Unloads::plastically;
+
+  T seed_force = T(0);  ///< the start: a closing contact carries at least this [N]
+
+  struct State {
+    T normal_force{};   ///< F [N]
+    T largest_force{};  ///< F_max [N]
+    T last_overlap{};   ///< [m]
+  };
+  static constexpr const char* name = "PohrtPopovIncremental";
+  static constexpr auto parameters() {
+    const std::array<Parameter<PohrtPopovIncremental, T>, 1> seed{
+        {{"seed_force", "N", &PohrtPopovIncremental::seed_force, Range::not_negative()}}};
+    return joined(PohrtPopovIncremental::template parameters_of<PohrtPopovIncremental>(), seed);
+  }
+  static constexpr std::array<StateValue, 3> state_values() {
+    return {{{"normal_force", "N", +1}, {"largest_force", "N", +1}, {"last_overlap", "m", +1}}};
+  }
+
+  /// @throws std::invalid_argument naming the surface's parameter, or the seed force, where out of range
+  static PohrtPopovIncremental of(const RoughSurface<T>& surface, const T& seed_force) {
+    PohrtPopovIncremental law = RoughProfile<T, Power::accurate>::template of<PohrtPopovIncremental>(surface);
+    law.seed_force = seed_force;
+    return checked(law);
+  }
+
+  CONTACTLAWS_HD NormalResponse<T> respond(State& state, const PairProperties<T>& pair,
+                                           const T& overlap) const noexcept {
+    const T closing = overlap - state.last_overlap;
+    const T start = select<T>(closing > T(0), larger<T>(state.normal_force, seed_force), state.normal_force);
+    const T largest = state.largest_force;
+    T slope = stiffness(pair, start, start < largest || closing < T(0));
+    if constexpr (order == Order::second) {
+      const T middle = positive_part<T>(T(start + slope * closing / T(2)));
+      slope = stiffness(pair, middle, middle < largest || closing < T(0));
+    }
+    const T force = select<T>(overlap > T(0), positive_part<T>(T(start + slope * closing)), T(0));
+    state = {force, larger<T>(largest, force), overlap};
+    const T tangent = stiffness(pair, force, force < largest);
+    const T stiffest = stiffness(pair, force, Mask<T>(true));
+    const T secant = force / select<T>(overlap > T(0), overlap, T(1));
+    return {force, tangent, secant, larger<T>(tangent, stiffest)};
+  }
+
+  /// As if unloading from here along Hertz's curve [J].
+  CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
+    if constexpr (plastic) return hertz_energy<T>(pair, hertz_depth(pair, state.normal_force));
+    return this->virgin_work(pair, overlap);
+  }
+
+ private:
+  /// The indentation at which Hertz's contact carries a force [m].
+  CONTACTLAWS_HD static T hertz_depth(const PairProperties<T>& pair, const T& force) noexcept {
+    using std::pow;
+    const T unit = hertz_response<T>(pair, T(1)).force;
+    const T closed = select<T>(force > T(0), force, unit);
+    return select<T>(force > T(0), T(pow(T(closed / unit), T(T(2) / T(3)))), T(0));
+  }
+  /// k(F) [N/m], Hertz's where `on_hertz` and the law is plastic.
+  CONTACTLAWS_HD T stiffness(const PairProperties<T>& pair, const T& force, const Mask<T>& on_hertz) const noexcept {
+    using std::pow;
+    const HertzResponse<T> transition = hertz_response<T>(pair, this->transition_indentation());
+    const T hertz = hertz_response<T>(pair, hertz_depth(pair, force)).stiffness;
+    const Mask<T> rough = force > T(0) && force < transition.force;
+    const T ratio = select<T>(rough, force, transition.force) / transition.force;
+    const T beta = T(1) - T(2) / (T(3) * this->exponent);
+    const T virgin = select<T>(rough, T(transition.stiffness * T(pow(ratio, beta))), hertz);
+    if constexpr (plastic) return select<T>(on_hertz, hertz, virgin);
+    return virgin;
+  }
+};
+
+}  // namespace contactlaws
