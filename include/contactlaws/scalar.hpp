@@ -11,6 +11,7 @@
 #include <limits>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>  // cross
 
 #include "contactlaws/config.hpp"
 
