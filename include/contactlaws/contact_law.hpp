@@ -85,6 +85,7 @@ struct ContactLaw {
     const Mask<T> touching = kinematics.overlap > T(0);
     if (any<T>(touching)) {
       touch(pair, kinematics, result);
+      if constexpr (!std::is_same_v<Mask<T>, bool>) let_go_of_lanes(!touching, result);
     } else {
       let_go(pair, result.state);
     }
@@ -175,6 +176,19 @@ struct ContactLaw {
   CONTACTLAWS_HD void let_go(const PairProperties<T>& pair, State& state) const noexcept {
     normal.respond(state, pair, T(0));
     static_cast<typename Shear::State&>(state) = typename Shear::State{};
+  }
+
+  /// The same for the open lanes of a pack in which others touch; the normal law has seen them.
+  CONTACTLAWS_HD static void let_go_of_lanes(const Mask<T>& open, Step<T, State>& result) noexcept {
+    if (!any<T>(open)) return;
+    result.sliding = result.sliding && !open;
+    if constexpr (Shear::resists) {
+      typename Shear::State& shear_state = result.state;
+      T values[Shear::state_values().size()];
+      std::memcpy(values, &shear_state, sizeof(values));
+      for (T& value : values) value = select<T>(open, T(0), value);
+      std::memcpy(&shear_state, values, sizeof(values));
+    }
   }
 };
 
