@@ -25,7 +25,7 @@ struct Project {
   /// The stored `shear` in the plane of `normal`; `twist` [rad] is the turn about the normal since the last step.
   CONTACTLAWS_HD static Vec3<T> apply(State&, const Vec3<T>& shear, const Vec3<T>& normal,
                                       const T& /*twist*/) noexcept {
-    return shear - normal * shear.dot(normal);
+    return shear - normal * dot<T>(shear, normal);
   }
 };
 
@@ -39,10 +39,10 @@ struct ProjectRestore {
   CONTACTLAWS_HD static Vec3<T> apply(State&, const Vec3<T>& shear, const Vec3<T>& normal,
                                       const T& /*twist*/) noexcept {
     using std::sqrt;
-    const T out_of_plane = shear.dot(normal);
+    const T out_of_plane = dot<T>(shear, normal);
     const Vec3<T> in_plane = shear - normal * out_of_plane;
     const T lost = out_of_plane * out_of_plane;
-    const T kept = in_plane.dot(in_plane);
+    const T kept = dot<T>(in_plane, in_plane);
     // A turn whose square is below rounding changes no length; nor does any turn of a shear that is nothing.
     using Lane = typename ScalarTraits<T>::Lane;
     const Mask<T> shorter = lost > kept * T(std::numeric_limits<Lane>::epsilon());
@@ -71,9 +71,9 @@ struct Rotate {
     state.last_normal = {normal.x(), normal.y(), normal.z()};
     // Rodrigues' formula for the shortest turn from `last` to `normal`: no angle is ever formed.
     const Vec3<T> axis = last.cross(normal);  // times the sine
-    const T cosine = last.dot(normal);
+    const T cosine = dot<T>(last, normal);
     const T one_plus_cosine = T(1) + cosine;
-    const T along = axis.dot(shear) / select<T>(one_plus_cosine > T(0), one_plus_cosine, T(1));
+    const T along = dot<T>(axis, shear) / select<T>(one_plus_cosine > T(0), one_plus_cosine, T(1));
     const Vec3<T> turned = shear * cosine + axis.cross(shear) + axis * along;
     if (!any<T>(twist < T(0) || twist > T(0))) return turned;
     return turned * T(cos(twist)) + normal.cross(turned) * T(sin(twist));

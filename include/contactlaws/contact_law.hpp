@@ -159,7 +159,7 @@ struct ContactLaw {
     if constexpr (Shear::resists) shear_stiffness = shear.stiffness(pair, response);
     const DampingCoefficients<T> dashpot = damping.coefficients(pair.mass, response.secant, shear_stiffness);
 
-    const T separating = kinematics.velocity.dot(kinematics.normal);
+    const T separating = dot<T>(kinematics.velocity, kinematics.normal);
     result.elastic = response.force;
     result.surface = damping.normal_force(response.force, dashpot.normal, separating);
     result.force = kinematics.normal * result.surface;

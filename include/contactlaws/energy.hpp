@@ -24,7 +24,7 @@ struct EnergyLedger {
   void enter(const Law& law, const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
              const Step<T, typename Law::State>& step) {
     const Vec3<T> mean_force = (last_force + step.force) / T(2);
-    work = work - mean_force.dot(kinematics.velocity) * kinematics.dt;
+    work = work - dot<T>(mean_force, kinematics.velocity) * kinematics.dt;
     stored = law.stored_energy(pair, kinematics.overlap, step.state);
     last_force = step.force;
   }

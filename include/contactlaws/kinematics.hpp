@@ -70,7 +70,7 @@ template <class T>
 CONTACTLAWS_HD ContactGeometry<T> meet_plane(const Vec3<T>& point, const Vec3<T>& facing, const Vec3<T>& x2,
                                              const T& radius2) noexcept {
   const Vec3<T> from_point = x2 - point;
-  const T overlap = radius2 - from_point.dot(facing);
+  const T overlap = radius2 - dot<T>(from_point, facing);
   const Vec3<T> arm2 = facing * (overlap / T(2) - radius2);
   return {facing, overlap, from_point + arm2, arm2};
 }
@@ -82,7 +82,7 @@ CONTACTLAWS_HD ContactKinematics<T> contact_kinematics(const ContactGeometry<T>&
   const Vec3<T> at1 = body1.velocity + body1.spin.cross(geometry.arm1);
   const Vec3<T> at2 = body2.velocity + body2.spin.cross(geometry.arm2);
   const Vec3<T> both_spins = body1.spin + body2.spin;
-  return {geometry.normal, geometry.overlap, at2 - at1, dt, both_spins.dot(geometry.normal) / T(2)};
+  return {geometry.normal, geometry.overlap, at2 - at1, dt, dot<T>(both_spins, geometry.normal) / T(2)};
 }
 
 }  // namespace contactlaws

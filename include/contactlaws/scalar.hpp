@@ -74,6 +74,12 @@ CONTACTLAWS_HD Eigen::Array<T, 2, 1> sqrt_pair(const T& a, const T& b) noexcept 
   return Eigen::Array<T, 2, 1>(a, b).sqrt();
 }
 
+/// a . b, summed from x to z for every T: Eigen's order depends on the type, and a pack's lanes are to be those of one.
+template <class T>
+CONTACTLAWS_HD T dot(const Vec3<T>& a, const Vec3<T>& b) noexcept {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
 /// Whether a sum of squares kept its digits: neither underflow nor overflow came near it.
 template <class T>
 CONTACTLAWS_HD Mask<T> square_is_exact(const T& square) noexcept {
@@ -87,13 +93,13 @@ template <class T>
 CONTACTLAWS_HD T norm(const Vec3<T>& v) noexcept {
   using std::abs;
   using std::sqrt;
-  const T square = v.dot(v);
+  const T square = dot<T>(v, v);
   if (!any<T>(!square_is_exact<T>(square))) return sqrt(square);
   const T x = abs(v.x()), y = abs(v.y()), z = abs(v.z());
   const T largest = larger<T>(larger<T>(x, y), z);
   const T divisor = select<T>(largest > T(0), largest, T(1));
   const Vec3<T> scaled(v.x() / divisor, v.y() / divisor, v.z() / divisor);
-  const T scaled_square = scaled.dot(scaled);
+  const T scaled_square = dot<T>(scaled, scaled);
   return select<T>(square_is_exact<T>(square), sqrt(square), largest * sqrt(scaled_square));
 }
 

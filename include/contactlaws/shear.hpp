@@ -97,7 +97,7 @@ struct FrictionLimit {
 /// How `force` is to be shortened to `strength` >= 0. Exact guards: no division by zero, no lost squares.
 template <class T>
 CONTACTLAWS_HD FrictionLimit<T> friction_limit(const Vec3<T>& force, const T& strength) noexcept {
-  const T square = force.dot(force);
+  const T square = dot<T>(force, force);
   const T strength_square = strength * strength;
   const Mask<T> surely_within = square_is_exact<T>(strength_square) && square <= strength_square;
   if (!any<T>(!surely_within)) return {T(1), !surely_within};
@@ -188,7 +188,7 @@ struct IncrementalShear : Stiffness {
   /// Energy stored in the shear spring [J]; `stiffness` at the overlap of the state.
   CONTACTLAWS_HD T energy(const State& state, const T& stiffness) const noexcept {
     const Vec3<T> history(state.shear[0], state.shear[1], state.shear[2]);
-    const T square = history.dot(history);
+    const T square = dot<T>(history, history);
     if constexpr (stored == Stored::force) {
       const Mask<T> closed = stiffness > T(0);
       return select<T>(closed, square, T(0)) / (T(2) * select<T>(closed, stiffness, T(1)));
