@@ -55,7 +55,7 @@ struct ProjectRestore {
 template <class T>
 struct Rotate {
   struct State {
-    std::array<T, 3> last_normal{};  ///< of the step before; 0 for a new contact
+    std::array<T, 3> last_normal = {T(0), T(0), T(0)};  ///< of the step before; 0 for a new contact
   };
   static constexpr std::array<StateValue, 3> state_values() {
     return {{{"last_normal_x", "1", -1}, {"last_normal_y", "1", -1}, {"last_normal_z", "1", -1}}};

@@ -43,7 +43,7 @@ struct SuctionBridge {
   T rupture_gap = T(2);   ///< g_r / R_o [1]
 
   struct State {
-    T moisture{};  ///< 0 dry, 1 dry after rupture, 2 wet
+    T moisture = T(0);  ///< 0 dry, 1 dry after rupture, 2 wet
   };
   static constexpr const char* name = "SuctionBridge";
   static constexpr std::array<Parameter<SuctionBridge, T>, 3> parameters() {

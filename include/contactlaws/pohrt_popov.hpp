@@ -171,7 +171,7 @@ struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
   using Rebind = PohrtPopovElastoPlastic<U, recontact, power>;
 
   struct State {
-    T largest_overlap{};  ///< o_m [m]
+    T largest_overlap = T(0);  ///< o_m [m]
   };
   static constexpr const char* name = "PohrtPopovElastoPlastic";
   static constexpr auto parameters() {

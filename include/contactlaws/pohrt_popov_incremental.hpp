@@ -30,9 +30,9 @@ struct PohrtPopovIncremental : RoughProfile<T, Power::accurate> {
   T seed_force = T(0);  ///< the start: a closing contact carries at least this [N]
 
   struct State {
-    T normal_force{};   ///< F [N]
-    T largest_force{};  ///< F_max [N]
-    T last_overlap{};   ///< [m]
+    T normal_force = T(0);   ///< F [N]
+    T largest_force = T(0);  ///< F_max [N]
+    T last_overlap = T(0);   ///< [m]
   };
   static constexpr const char* name = "PohrtPopovIncremental";
   static constexpr auto parameters() {

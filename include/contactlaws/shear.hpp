@@ -80,11 +80,11 @@ namespace detail {
 
 template <class T>
 struct ShearHistory {
-  std::array<T, 3> shear{};  ///< shear force [N] or displacement [m]
+  std::array<T, 3> shear = {T(0), T(0), T(0)};  ///< shear force [N] or displacement [m]
 };
 template <class T>
 struct LastStiffness {
-  T last_stiffness{};  ///< shear stiffness of the step before [N/m]
+  T last_stiffness = T(0);  ///< shear stiffness of the step before [N/m]
 };
 struct NoLastStiffness {};
 
