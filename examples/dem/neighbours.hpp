@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Which balls are near each other, in a time that grows with their number and not with its square.
+//
+// Space is cut into rows along x, one smallest diameter wide in y and z; balls are sorted by row, and along x within it.
+// Each ball then sweeps the rows that it can reach for balls no larger than itself. So a small ball looks at 3 x 3 rows,
+// and the few large ones at more: sizes may differ by any ratio, and empty space costs nothing.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "balls.hpp"
+
+namespace dem {
+
+/// Ids of two bodies in contact or close to it.
+struct Pair {
+  int first;
+  int second;
+  friend bool operator<(const Pair& a, const Pair& b) {
+    return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+  }
+  friend bool operator==(const Pair& a, const Pair& b) { return a.first == b.first && a.second == b.second; }
+};
+
+namespace detail {
+
+struct RowEntry {
+  double row_z, row_y;  ///< numbers of the row
+  double x;             ///< [m]
+  int ball;
+  friend bool operator<(const RowEntry& a, const RowEntry& b) {
+    return std::tie(a.row_z, a.row_y, a.x) < std::tie(b.row_z, b.row_y, b.x);
+  }
+};
+
+}  // namespace detail
+
+/// All pairs (first < second, in no particular order) whose gap is at most `reach` of the larger ball (of the later, where
+/// both are equal) [m]. @throws std::runtime_error naming a ball whose position is not finite
+inline std::vector<Pair> find_neighbours(const std::vector<Vec3>& position, const std::vector<double>& radius,
+                                         const std::vector<double>& reach) {
+  using detail::RowEntry;
+  const std::size_t count = position.size();
+  if (count == 0) return {};
+
+  // Farthest that ball i can see the centre of a ball no larger than itself.
+  const auto sight = [&](std::size_t i) { return 2.0 * radius[i] + reach[i]; };
+  double width = sight(0);
+  for (std::size_t i = 1; i < count; ++i) width = std::min(width, sight(i));
+  const auto row_of = [width](double coordinate) { return std::floor(coordinate / width); };
+
+  std::vector<RowEntry> rows(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& p = position[i];
+    if (!p.allFinite())
+      throw std::runtime_error("ball " + std::to_string(i) + " is lost: its position is not finite. A shorter step?");
+    rows[i] = {row_of(p.z()), row_of(p.y()), p.x(), static_cast<int>(i)};
+  }
+  std::sort(rows.begin(), rows.end());
+
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& p = position[i];
+    const int id = static_cast<int>(i);
+    const double far = sight(i);
+    const double low_y = row_of(p.y() - far), low_z = row_of(p.z() - far);
+    const int rows_y = static_cast<int>(row_of(p.y() + far) - low_y),
+              rows_z = static_cast<int>(row_of(p.z() + far) - low_z);
+    for (int k = 0; k <= rows_z; ++k) {
+      for (int j = 0; j <= rows_y; ++j) {
+        const double row_z = low_z + k, row_y = low_y + j;
+        auto other = std::lower_bound(rows.begin(), rows.end(), RowEntry{row_z, row_y, p.x() - far, 0});
+        for (; other != rows.end() && other->row_z == row_z && other->row_y == row_y && other->x <= p.x() + far;
+             ++other) {
+          const auto o = static_cast<std::size_t>(other->ball);
+          const bool is_larger = radius[o] > radius[i] || (radius[o] == radius[i] && other->ball >= id);
+          if (is_larger) continue;  // finds this one itself
+          if ((position[o] - p).norm() - radius[o] - radius[i] <= reach[i])
+            pairs.push_back({std::min(id, other->ball), std::max(id, other->ball)});
+        }
+      }
+    }
+  }
+  return pairs;
+}
+
+}  // namespace dem

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Files that other programs read: tables as CSV (spreadsheets, Python), scenes as legacy VTK (ParaView opens them).
+#pragma once
+
+#include <fstream>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "simulation.hpp"
+
+namespace dem {
+
+namespace detail {
+
+/// @throws std::runtime_error naming the file that cannot be written
+inline std::ofstream open_for_writing(const std::string& path) {
+  std::ofstream file(path);
+  if (!file) throw std::runtime_error("cannot write " + path);
+  file.precision(17);  // a double survives the way there and back
+  return file;
+}
+
+/// One field of the VTK file: `kind` is "SCALARS name double 1\nLOOKUP_TABLE default" or "VECTORS name double".
+template <class Value>
+void write_field(std::ofstream& file, const std::string& kind, std::size_t count, const Value& value) {
+  file << kind << '\n';
+  for (std::size_t i = 0; i < count; ++i) file << value(i) << '\n';
+}
+
+inline std::string scalars(const std::string& name) { return "SCALARS " + name + " double 1\nLOOKUP_TABLE default"; }
+inline std::string vectors(const std::string& name) { return "VECTORS " + name + " double"; }
+
+}  // namespace detail
+
+/// Columns with names, filled row by row.
+class Table {
+ public:
+  explicit Table(std::initializer_list<std::string> columns) : columns_(columns) {}
+
+  void add(std::initializer_list<double> row) { rows_.emplace_back(row); }
+  const std::vector<std::vector<double>>& rows() const { return rows_; }
+
+  /// @throws std::runtime_error naming the file that cannot be written
+  void write_csv(const std::string& path) const {
+    std::ofstream file = detail::open_for_writing(path);
+    for (std::size_t i = 0; i < columns_.size(); ++i) file << (i == 0 ? "" : ",") << columns_[i];
+    file << '\n';
+    for (const std::vector<double>& row : rows_) {
+      for (std::size_t i = 0; i < row.size(); ++i) file << (i == 0 ? "" : ",") << row[i];
+      file << '\n';
+    }
+  }
+
+ private:
+  std::vector<std::string> columns_;
+  std::vector<std::vector<double>> rows_;
+};
+
+/// The balls, as points with radius, velocity, spin and force. In ParaView: Glyph, Sphere, scaled by `radius` x 2.
+/// @throws std::runtime_error naming the file that cannot be written
+inline void write_balls_vtk(const std::string& path, const Balls& balls) {
+  const Eigen::IOFormat in_a_line(Eigen::FullPrecision, Eigen::DontAlignCols, " ", " ");
+  std::ofstream file = detail::open_for_writing(path);
+  const std::size_t count = balls.size();
+  file << "# vtk DataFile Version 3.0\nballs, in m, kg, s\nASCII\nDATASET POLYDATA\nPOINTS " << count << " double\n";
+  for (const Vec3& p : balls.position) file << p.format(in_a_line) << '\n';
+  file << "VERTICES " << count << ' ' << 2 * count << '\n';
+  for (std::size_t i = 0; i < count; ++i) file << "1 " << i << '\n';
+  file << "POINT_DATA " << count << '\n';
+  detail::write_field(file, detail::scalars("radius"), count, [&](std::size_t i) { return balls.radius[i]; });
+  detail::write_field(file, detail::scalars("id"), count, [&](std::size_t i) { return i; });
+  const auto field = [&](const char* name, const std::vector<Vec3>& values) {
+    detail::write_field(file, detail::vectors(name), count, [&](std::size_t i) { return values[i].format(in_a_line); });
+  };
+  field("velocity", balls.velocity);
+  field("spin", balls.spin);
+  field("force", balls.force);
+}
+
+/// The active contacts between balls, as lines from centre to centre with the normal force (tension < 0) and the shear
+/// force [N]. In ParaView: Tube. @throws std::runtime_error naming the file that cannot be written
+template <class Law>
+void write_contacts_vtk(const std::string& path, const Balls& balls, const Contacts<Law>& contacts) {
+  const Eigen::IOFormat in_a_line(Eigen::FullPrecision, Eigen::DontAlignCols, " ", " ");
+  std::ofstream file = detail::open_for_writing(path);
+  std::vector<std::size_t> active;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.response[c].active) active.push_back(c);
+  const std::size_t count = active.size();
+  file << "# vtk DataFile Version 3.0\ncontacts, in N\nASCII\nDATASET POLYDATA\nPOINTS " << balls.size() << " double\n";
+  for (const Vec3& p : balls.position) file << p.format(in_a_line) << '\n';
+  file << "LINES " << count << ' ' << 3 * count << '\n';
+  for (const std::size_t c : active) file << "2 " << contacts.first(c) << ' ' << contacts.second(c) << '\n';
+  file << "CELL_DATA " << count << '\n';
+  const auto normal_force = [&](std::size_t i) {
+    return contacts.response[active[i]].force.dot(contacts.geometry[active[i]].normal);
+  };
+  detail::write_field(file, detail::scalars("normal_force"), count, normal_force);
+  detail::write_field(file, detail::scalars("shear_force"), count, [&](std::size_t i) {
+    const Vec3 normal_part = contacts.geometry[active[i]].normal * normal_force(i);
+    return (contacts.response[active[i]].force - normal_part).norm();
+  });
+}
+
+}  // namespace dem

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Running a scene until it rests.
+#pragma once
+
+#include "measures.hpp"
+#include "progress.hpp"
+
+namespace dem {
+
+struct Settling {
+  double ratio = 1e-9;                 ///< the unbalanced_ratio() that counts as equilibrium [1]
+  double safety = 0.5;                 ///< share of stable_time_step() to take, found anew every few steps [1]
+  std::int64_t most_steps = 10000000;  ///< then give up
+};
+
+/// Steps until equilibrium, calling `watch()` after each step; whether it was reached before `most_steps` and Ctrl-C.
+template <class Scene, class Watch>
+bool settle(Scene& scene, const Settling& settling, const Watch& watch) {
+  constexpr int every = 10;  // few enough that an impact cannot stiffen a contact unseen, many enough to cost little
+  constexpr int hold = 100;  // times that the ratio must be found small: a force may also pass through zero
+  int held = 0;
+  for (std::int64_t step = 0; step < settling.most_steps && !stop_requested(); ++step) {
+    if (step % every == 0) {
+      scene.time_step = settling.safety * stable_time_step(scene);
+      held = step > 0 && unbalanced_ratio(scene) < settling.ratio ? held + 1 : 0;
+      if (held == hold) return true;
+    }
+    scene.step();
+    watch();
+  }
+  return false;
+}
+
+}  // namespace dem

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// 27 grains in cubic packing fall onto the bottom of a box and come to rest: hill law between grains, linear law at walls
+// (Figure 17). Packed exactly one above the other, they come to rest so: nothing tips the columns.
+#pragma once
+
+#include <string>
+
+#include "../dem/settle.hpp"
+#include "expected.hpp"
+#include "force_displacement.hpp"
+#include "report.hpp"
+
+namespace memo {
+
+inline void write_grains(const std::string& path, const dem::Balls& balls) {
+  dem::Table grains{"x_m", "y_m", "z_m", "radius_m"};
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    grains.add({balls.position[i].x(), balls.position[i].y(), balls.position[i].z(), balls.radius[i]});
+  grains.write_csv(path + ".csv");
+  dem::write_balls_vtk(path + ".vtk", balls);
+}
+
+inline void grain_assembly(const std::string& directory, Rows& rows) {
+  constexpr double radius = 5e-3, edge = 50e-3;  // the memo gives no size for the box
+  contactlaws::LinearFriction<double> at_walls = linear_law(friction);
+  at_walls.normal.modulus = 29e6;
+  dem::Simulation<contactlaws::Hill<double>, contactlaws::LinearFriction<double>> scene(
+      contactlaws::hill<double>({friction, suction, damping_constant}), at_walls);
+  scene.gravity = {0.0, 0.0, -9.81};
+  scene.local_damping = local_damping;
+  for (const dem::Wall& wall : dem::box_of_walls(contactlaws::plane(granite), Vec3::Zero(), Vec3::Constant(edge)))
+    scene.add(wall);
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        scene.add(
+            dem::Ball{contactlaws::sphere(granite, radius), Vec3::Constant(edge / 2.0) + 2.0 * radius * Vec3(x, y, z)});
+  write_grains(directory + "/assembly_before", scene.balls);
+
+  const dem::Wall& bottom = scene.walls[4];
+  dem::Table history{"time_s", "bottom_wall_force_N"};
+  dem::settle(scene, {1e-9, 0.2, 1000000}, [&] {
+    if (scene.steps % 10 == 0) history.add({scene.time, bottom.force.norm()});
+  });
+  history.write_csv(directory + "/assembly_history.csv");
+  write_grains(directory + "/assembly_after", scene.balls);
+  dem::write_contacts_vtk(directory + "/assembly_contacts.vtk", scene.balls, scene.ball_contacts);
+  rows.push_back(
+      {"grain_assembly.bottom_wall_force", "N", 0.368, expected::assembly_weight, bottom.force.norm(), equilibrium});
+}
+
+}  // namespace memo

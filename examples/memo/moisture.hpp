@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The life of a liquid bridge between the two grains (Figures 13 to 16): rest, pull and release, pull to rupture, come back
+// and wet again, release. Gravity is off, since the memo balances the bridge against the surface force alone; the top
+// grain's weight would press it 4 nm deeper.
+#pragma once
+
+#include <string>
+
+#include "../dem/settle.hpp"
+#include "expected.hpp"
+#include "report.hpp"
+#include "two_grains.hpp"
+
+namespace memo {
+
+class MoistureProblem {
+ public:
+  using Law = contactlaws::Hill<double>;
+
+  void run(const std::string& directory, Rows& rows) {
+    add_moisture(0.0);
+    const double rest = release(13);
+
+    pull_to(8e-3, 14);
+    const double released = release(14);
+
+    const double rupture = pull_to_rupture();
+    pull_to(12e-3, 15);
+
+    pull_to(1.999e-3, 16);
+    add_moisture(2.5e-3);
+    const double rewetted = release(16);
+
+    path_.write_csv(directory + "/moisture.csv");
+    rows.push_back({"two_grains.moisture.rest_overlap", "m", {}, expected::moisture_rest_overlap, rest, equilibrium});
+    rows.push_back(
+        {"two_grains.moisture.released_overlap", "m", {}, expected::moisture_rest_overlap, released, equilibrium});
+    rows.push_back({"two_grains.moisture.rupture_gap", "m", {}, expected::moisture_rupture_gap, rupture, prescribed});
+    rows.push_back(
+        {"two_grains.moisture.rewetted_overlap", "m", {}, expected::moisture_rest_overlap, rewetted, equilibrium});
+  }
+
+ private:
+  TwoGrains<Law> grains_{contactlaws::hill<double>({friction, suction, damping_constant})};
+  dem::Table path_{"figure", "time_s", "gap_m", "surface_force_N", "moisture_force_N", "wet", "released"};
+
+  bool wet() const {
+    const auto& contacts = grains_.scene.ball_contacts;
+    return contacts.size() > 0 && contactlaws::SuctionBridge<double>::is_wet(contacts.state[0]);
+  }
+  double gap() const {
+    const auto& balls = grains_.scene.balls;
+    return (balls.position[1] - balls.position[0]).norm() - balls.radius[0] - balls.radius[1];
+  }
+
+  void record(int figure, bool released) {
+    const auto& contacts = grains_.scene.ball_contacts;
+    const bool listed = contacts.size() > 0;
+    path_.add({double(figure), grains_.scene.time, gap(), listed ? contacts.response[0].surface : 0.0,
+               listed ? contacts.response[0].attraction : 0.0, double(wet()), double(released)});
+  }
+
+  /// Wets every contact between grains whose gap is at most `moisture_gap` [m].
+  void add_moisture(double moisture_gap) {
+    grains_.scene.start();
+    auto& contacts = grains_.scene.ball_contacts;
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      Law::make_wet(contacts.state[c], contacts.geometry[c].overlap, moisture_gap);
+  }
+
+  /// Lets the top grain go, until it rests. Returns the overlap [m].
+  double release(int figure) {
+    auto& scene = grains_.scene;
+    scene.local_damping = local_damping;
+    scene.release(grains_.top);
+    // The bridge throws the grains together at some m/s: steps short enough to follow that impact.
+    dem::settle(scene, {1e-9, 0.02, 1000000}, [&] {
+      if (scene.steps % 10 == 0) record(figure, true);
+    });
+    record(figure, true);
+    return -gap();
+  }
+
+  /// Moves the top grain at 1 m/s to this gap [m], and stops it.
+  void pull_to(double target, int figure) {
+    auto& scene = grains_.scene;
+    constexpr int steps = 1000;
+    scene.time_step = std::abs(target - gap()) / steps;
+    scene.drive(grains_.top, {0.0, 0.0, target > gap() ? 1.0 : -1.0});
+    for (int i = 0; i < steps && !dem::stop_requested(); ++i) {
+      scene.step();
+      record(figure, false);
+    }
+  }
+
+  /// Moves the top grain up until the bridge ruptures, with ever shorter steps so as not to pass that gap. Returns it [m].
+  double pull_to_rupture() {
+    auto& scene = grains_.scene;
+    scene.drive(grains_.top, Vec3::UnitZ());
+    scene.time_step = 1e-5;
+    while (scene.time_step > 1e-15 && !dem::stop_requested()) {  // at 1 m/s: 1e-13 of the gap
+      const auto before = scene;
+      scene.step();
+      if (wet()) {
+        record(15, false);
+      } else {
+        scene = before;
+        scene.time_step /= 2.0;
+      }
+    }
+    return gap();
+  }
+};
+
+}  // namespace memo

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// What becomes of the shear force when the overlap changes: the memo's Appendix A (Figure 23), and the same path through the
+// four laws that are all called Hertz-Mindlin.
+#pragma once
+
+#include <string>
+
+#include "expected.hpp"
+#include "report.hpp"
+#include "two_grains.hpp"
+
+namespace memo {
+
+template <template <class, class, class> class Shear>
+using HertzWith =
+    contactlaws::ContactLaw<contactlaws::Hertz<double>, contactlaws::NoDashpots<double>,
+                            Shear<double, contactlaws::Mindlin<double>, contactlaws::carry::ProjectRestore<double>>>;
+
+template <class Law>
+Law with_friction(double mu) {
+  Law law;
+  law.shear.friction = mu;
+  return law;
+}
+
+/// Appendix A: press to o_A, shear to F_A, press to 2 o_A. Returns the shear force at the end over F_A.
+template <class Law>
+double shear_then_press(const std::string& csv) {
+  constexpr int steps = 100;
+  TwoGrains<Law> grains(with_friction<Law>(10.0));
+  dem::Table path{"overlap_m", "shear_displacement_m", "shear_force_N"};
+  const auto record = [&] {
+    path.add({-grains.sight().gap, grains.sight().shear_displacement, grains.sight().shear_force});
+  };
+  grains.lift(-depth, steps, record);
+  grains.spin(turn, steps, record);
+  const double sheared = grains.sight().shear_force;
+  grains.lift(-depth, steps, record);
+  path.write_csv(csv);
+  return grains.sight().shear_force / sheared;
+}
+
+inline void appendix_a(const std::string& directory, Rows& rows) {
+  rows.push_back({"shear_update.force_history_ratio",
+                  "1",
+                  {},
+                  1.0,
+                  shear_then_press<HertzWith<contactlaws::ShearForce>>(directory + "/shear_update_force.csv"),
+                  prescribed});
+  rows.push_back(
+      {"shear_update.displacement_history_ratio",
+       "1",
+       {},
+       expected::square_root_of_2,
+       shear_then_press<HertzWith<contactlaws::ShearDisplacement>>(directory + "/shear_update_displacement.csv"),
+       prescribed});
+}
+
+/// The path of the eight laws: press by 0.1 mm, then carry the top grain round the bottom grain, at constant overlap, until
+/// the surfaces are sheared by 99.0 um.
+template <class Law>
+TwoGrains<Law> press_and_go_round(double mu) {
+  constexpr int steps = 1000;
+  TwoGrains<Law> grains(with_friction<Law>(mu));
+  const auto nothing = [] {};
+  grains.lift(-depth, steps, nothing);
+  const double distance = bottom_radius + top_radius - depth;
+  const double angle = turn * (top_radius - depth / 2.0) / distance;
+  for (int i = 1; i <= steps; ++i) {
+    const double a = angle * i / steps;
+    const Vec3 target = distance * Vec3(std::sin(a), 0.0, std::cos(a));
+    grains.run((target - grains.scene.balls.position[1]) / grains.scene.time_step, Vec3::Zero(), 1, nothing);
+  }
+  return grains;
+}
+
+struct Force {
+  double published;  ///< [N]
+  double expected;   ///< [N]
+};
+
+/// That path, then back to half the overlap, and to the whole again: shear forces there.
+template <class Law>
+void one_of_eight_laws(const std::string& name, const Force& backed_off, const Force& returned, Rows& rows) {
+  constexpr int steps = 1000;
+  const auto nothing = [] {};
+  auto grains = press_and_go_round<Law>(10.0);
+  const auto row = [&](const char* what, const Force& force, double computed) {
+    rows.push_back({"eight_laws." + name + "." + what, "N", force.published, force.expected, computed, along_arc});
+  };
+  row("normal_force", {1083.304632, expected::hill_normal_force}, grains.sight().normal_force);
+  row("shear_force", {1478.27164, expected::hill_shear_unlimited}, grains.sight().shear_force);
+  row("shear_force_sliding", {433.321853, expected::hill_shear_force},
+      press_and_go_round<Law>(friction).sight().shear_force);
+
+  const Vec3 outward = grains.scene.balls.position[1].normalized() * (depth / 2.0 / (steps * grains.scene.time_step));
+  grains.run(outward, Vec3::Zero(), steps, nothing);
+  row("backed_off", backed_off, grains.sight().shear_force);
+  grains.run(-outward, Vec3::Zero(), steps, nothing);
+  row("returned", returned, grains.sight().shear_force);
+}
+
+/// The published figures are those of LAMMPS on this path: mindlin/force, mindlin_rescale/force, mindlin, mindlin_rescale.
+inline Rows eight_laws() {
+  using namespace contactlaws;
+  const Force whole{1478.27164, expected::hill_shear_unlimited};
+  const Force root_half{1045.29590, expected::shear_root_half};
+  const Force half{739.135823, expected::shear_half};
+  Rows rows;
+  one_of_eight_laws<HertzWith<ShearForce>>("force", whole, whole, rows);
+  one_of_eight_laws<HertzWith<ShearForceRescaled>>("force_rescaled", root_half, root_half, rows);
+  one_of_eight_laws<HertzWith<ShearDisplacement>>("displacement", root_half, whole, rows);
+  one_of_eight_laws<HertzWith<ShearDisplacementRescaled>>("displacement_rescaled", half, root_half, rows);
+  return rows;
+}
+
+}  // namespace memo

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The memo's scene of two granite grains (Figures 8 and 9): a 5 mm grain touches one of 7.5 mm, which is held below it.
+#pragma once
+
+#include "../dem/progress.hpp"
+#include "../dem/simulation.hpp"
+#include "contactlaws/laws.hpp"
+
+namespace memo {
+
+using dem::Vec3;
+
+inline const contactlaws::ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
+constexpr double friction = 0.4;           ///< mu [1]
+constexpr double suction = 200e3;          ///< psi [Pa]
+constexpr double damping_constant = 0.07;  ///< alpha_h [1]
+constexpr double local_damping = 0.7;      ///< [1]
+constexpr double bottom_radius = 7.5e-3;   ///< [m]
+constexpr double top_radius = 5e-3;        ///< [m]
+constexpr double depth = 0.1e-3;           ///< overlap at the end of stage A [m]
+constexpr double turn = 0.02;              ///< of the top grain in stage B [rad]
+
+/// What one sees at the contact.
+struct Sight {
+  double gap;                 ///< [m], negative when overlapping
+  double normal_force;        ///< compression > 0 [N]
+  double shear_displacement;  ///< slid by the surfaces so far [m]
+  double shear_force;         ///< [N]
+};
+
+template <class Law>
+class TwoGrains {
+ public:
+  dem::Simulation<Law> scene;
+  const int bottom;
+  const int top;
+
+  explicit TwoGrains(const Law& law, double step = 1e-6)
+      : scene(law),
+        bottom(scene.add(dem::Ball{contactlaws::sphere(granite, bottom_radius), Vec3::Zero()})),
+        top(scene.add(dem::Ball{contactlaws::sphere(granite, top_radius), {0.0, 0.0, bottom_radius + top_radius}})) {
+    scene.drive(bottom, Vec3::Zero());
+    scene.drive(top, Vec3::Zero());
+    scene.time_step = step;
+  }
+
+  /// Moves the top grain up (or down, < 0) by `distance` [m] in so many steps.
+  template <class Watch>
+  void lift(double distance, int steps, const Watch& watch) {
+    run({0.0, 0.0, distance / (steps * scene.time_step)}, Vec3::Zero(), steps, watch);
+  }
+  /// Turns the top grain about its own centre by `angle` [rad] in so many steps.
+  template <class Watch>
+  void spin(double angle, int steps, const Watch& watch) {
+    run(Vec3::Zero(), {0.0, angle / (steps * scene.time_step), 0.0}, steps, watch);
+  }
+  /// The top grain at this velocity [m/s] and spin [rad/s], for so many steps.
+  template <class Watch>
+  void run(const Vec3& velocity, const Vec3& spin, int steps, const Watch& watch) {
+    scene.drive(top, velocity, spin);
+    for (int i = 0; i < steps && !dem::stop_requested(); ++i) {
+      scene.step();
+      const auto& motion = scene.ball_contacts.motion[0];
+      slid_ += (motion.velocity - motion.normal * motion.velocity.dot(motion.normal)).norm() * motion.dt;
+      watch();
+    }
+  }
+
+  Sight sight() const {
+    const auto& contacts = scene.ball_contacts;
+    const Vec3& n = contacts.geometry[0].normal;
+    const Vec3& force = contacts.response[0].force;
+    return {-contacts.geometry[0].overlap, force.dot(n), slid_, (force - n * force.dot(n)).norm()};
+  }
+
+ private:
+  double slid_ = 0.0;
+};
+
+}  // namespace memo
