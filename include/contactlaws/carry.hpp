@@ -75,7 +75,7 @@ struct Rotate {
     const T one_plus_cosine = T(1) + cosine;
     const T along = dot<T>(axis, shear) / select<T>(one_plus_cosine > T(0), one_plus_cosine, T(1));
     const Vec3<T> turned = shear * cosine + axis.cross(shear) + axis * along;
-    if (!any<T>(twist < T(0) || twist > T(0))) return turned;
+    if (!any<T>(twist < T(0) || twist > T(0))) return turned + normal.cross(turned) * twist;  // the derivative stays
     return turned * T(cos(twist)) + normal.cross(turned) * T(sin(twist));
   }
 };

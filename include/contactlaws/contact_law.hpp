@@ -182,6 +182,7 @@ struct ContactLaw {
   CONTACTLAWS_HD static void let_go_of_lanes(const Mask<T>& open, Step<T, State>& result) noexcept {
     if (!any<T>(open)) return;
     result.sliding = result.sliding && !open;
+    result.force = result.force * select<T>(open, T(0), T(1));
     if constexpr (Shear::resists) {
       typename Shear::State& shear_state = result.state;
       T values[Shear::state_values().size()];

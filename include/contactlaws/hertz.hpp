@@ -18,9 +18,7 @@ namespace contactlaws {
 /// Hertz's response to an indentation >= 0 [m]; for rough surfaces that is less than the overlap.
 template <class T>
 CONTACTLAWS_HD HertzResponse<T> hertz_response(const PairProperties<T>& pair, const T& indentation) noexcept {
-  // Two square roots, since the product R* o may underflow where neither factor does.
-  const Eigen::Array<T, 2, 1> roots = sqrt_pair<T>(pair.radius, indentation);
-  const T contact_radius = roots[0] * roots[1];
+  const T contact_radius = sqrt_of_product<T>(pair.radius, indentation);
   const T stiffness = T(2) * pair.young * contact_radius;
   const T secant = stiffness * T(T(2) / T(3));
   return {{secant * indentation, stiffness, secant, stiffness}, contact_radius};

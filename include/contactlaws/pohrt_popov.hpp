@@ -193,6 +193,7 @@ struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
     state.largest_overlap = largest;
     if constexpr (recontact == Recontact::fresh_surface)
       state.largest_overlap = select<T>(overlap > T(0), largest, T(0));
+    if (!any<T>(depth > T(0))) return {T(0), T(0), T(0), T(0)};  // a square root has no derivative at 0
     const HertzResponse<T> hertz = hertz_response<T>(pair, depth);
     const T stiffness = hertz.stiffness * select<T>(virgin, at_largest.slope, T(1));
     return {hertz.force, stiffness, hertz.secant, hertz.stiffness};

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <Eigen/Core>
@@ -26,9 +27,12 @@ template <class T>
 struct ScalarTraits {
   using Mask = bool;  ///< what a comparison of two T yields
   using Lane = T;     ///< one number of a pack
+  static constexpr std::size_t lanes = 1;
 
   CONTACTLAWS_HD static T select(bool condition, const T& yes, const T& no) noexcept { return condition ? yes : no; }
   CONTACTLAWS_HD static bool any(bool condition) noexcept { return condition; }
+  CONTACTLAWS_HD static T load(const T* values) noexcept { return *values; }
+  CONTACTLAWS_HD static void store(T* values, const T& x) noexcept { *values = x; }
 };
 
 template <class T>
@@ -78,6 +82,17 @@ CONTACTLAWS_HD Eigen::Array<T, 2, 1> sqrt_pair(const T& a, const T& b) noexcept 
 template <class T>
 CONTACTLAWS_HD T dot(const Vec3<T>& a, const Vec3<T>& b) noexcept {
   return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+/// sqrt(a b) of a > 0, b >= 0, also where their product would underflow.
+template <class T>
+CONTACTLAWS_HD T sqrt_of_product(const T& a, const T& b) noexcept {
+  using std::sqrt;
+  const T product = a * b;
+  const T root = sqrt(product);
+  const Mask<T> lost = product < T(std::numeric_limits<typename ScalarTraits<T>::Lane>::min()) && b > T(0);
+  if (!any<T>(lost)) return root;
+  return select<T>(lost, T(sqrt(a)) * T(sqrt(b)), root);
 }
 
 /// Whether a sum of squares kept its digits: neither underflow nor overflow came near it.

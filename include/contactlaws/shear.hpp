@@ -88,19 +88,21 @@ struct LastStiffness {
 };
 struct NoLastStiffness {};
 
+/// Whether |force| <= strength for sure: by squares, where these kept their digits.
+template <class T>
+CONTACTLAWS_HD Mask<T> surely_within(const Vec3<T>& force, const T& strength) noexcept {
+  const T strength_square = strength * strength;
+  return square_is_exact<T>(strength_square) && dot<T>(force, force) <= strength_square;
+}
+
+/// What shortens a force to `strength` >= 0 where it is longer.
 template <class T>
 struct FrictionLimit {
-  T factor;  ///< on the force: 1 where friction suffices
+  T factor;
   Mask<T> exceeded;
 };
-
-/// How `force` is to be shortened to `strength` >= 0. Exact guards: no division by zero, no lost squares.
 template <class T>
 CONTACTLAWS_HD FrictionLimit<T> friction_limit(const Vec3<T>& force, const T& strength) noexcept {
-  const T square = dot<T>(force, force);
-  const T strength_square = strength * strength;
-  const Mask<T> surely_within = square_is_exact<T>(strength_square) && square <= strength_square;
-  if (!any<T>(!surely_within)) return {T(1), !surely_within};
   const T magnitude = norm<T>(force);
   const Mask<T> exceeded = magnitude > strength;
   return {select<T>(exceeded, strength, T(1)) / select<T>(exceeded, magnitude, T(1)), exceeded};
@@ -162,27 +164,37 @@ struct IncrementalShear : Stiffness {
     const Vec3<T> slid = in.velocity * in.kinematics.dt;
     Vec3<T> spring;
     if constexpr (stored == Stored::force) {
-      spring = history - slid * in.stiffness;
+      spring = history = history - slid * in.stiffness;
     } else {
       history = history + slid;
       spring = history * T(-in.stiffness);
     }
-    const detail::FrictionLimit<T> first = detail::friction_limit<T>(spring, strength);
-    spring = spring * first.factor;
-    if constexpr (stored == Stored::force) {
-      history = spring;
-    } else {
-      history = history * select<T>(in.stiffness > T(0), first.factor, T(0));
+    Vec3<T> total = spring;
+    if constexpr (damped) total = spring - in.velocity * in.dashpot;
+
+    // Most contacts stick: one look at both limits tells.
+    Mask<T> sticks = detail::surely_within<T>(spring, strength);
+    if constexpr (damped) sticks = sticks && detail::surely_within<T>(total, strength);
+    Mask<T> sliding(false);
+    if (any<T>(in.kinematics.overlap > T(0) && !sticks)) {
+      const detail::FrictionLimit<T> first = detail::friction_limit<T>(spring, strength);
+      spring = spring * first.factor;
+      if constexpr (stored == Stored::force) {
+        history = spring;
+      } else {  // a displacement that nothing resists is forgotten
+        history = history * select<T>(in.stiffness > T(0), first.factor, T(0));
+      }
+      total = spring;
+      sliding = first.exceeded;
+      if constexpr (damped) {
+        total = spring - in.velocity * in.dashpot;
+        const detail::FrictionLimit<T> second = detail::friction_limit<T>(total, strength);
+        total = total * second.factor;
+        sliding = sliding || second.exceeded;
+      }
     }
     state.shear = {history.x(), history.y(), history.z()};
-
-    if constexpr (damped) {
-      const Vec3<T> total = spring - in.velocity * in.dashpot;
-      const detail::FrictionLimit<T> second = detail::friction_limit<T>(total, strength);
-      return {total * second.factor, first.exceeded || second.exceeded};
-    } else {
-      return {spring, first.exceeded};
-    }
+    return {total, sliding};
   }
 
   /// Energy stored in the shear spring [J]; `stiffness` at the overlap of the state.

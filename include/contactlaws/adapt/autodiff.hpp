@@ -25,6 +25,7 @@ struct ScalarTraits<Eigen::AutoDiffScalar<Derivatives>> {
   using Number = Eigen::AutoDiffScalar<Derivatives>;
   using Mask = bool;
   using Lane = typename Derivatives::Scalar;
+  static constexpr std::size_t lanes = 1;
 
   static Number select(bool condition, const Number& yes, const Number& no) noexcept { return condition ? yes : no; }
   static bool any(bool condition) noexcept { return condition; }

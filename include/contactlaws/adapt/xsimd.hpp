@@ -4,7 +4,7 @@
 
 #include <xsimd/xsimd.hpp>
 
-#include "contactlaws/scalar.hpp"
+#include "contactlaws/batch.hpp"
 
 namespace Eigen {
 template <class L, class A>
@@ -31,10 +31,22 @@ struct ScalarTraits<xsimd::batch<L, A>> {
   using Pack = xsimd::batch<L, A>;
   using Mask = xsimd::batch_bool<L, A>;
   using Lane = L;
+  static constexpr std::size_t lanes = Pack::size;
 
   static Pack select(const Mask& condition, const Pack& yes, const Pack& no) noexcept {
     return xsimd::select(condition, yes, no);
   }
   static bool any(const Mask& condition) noexcept { return xsimd::any(condition); }
+  static Pack load(const L* values) noexcept { return Pack::load_unaligned(values); }
+  static void store(L* values, const Pack& x) noexcept { x.store_unaligned(values); }
+};
+
+template <>
+struct PackOf<double> {
+  using type = xsimd::batch<double>;
+};
+template <>
+struct PackOf<float> {
+  using type = xsimd::batch<float>;
 };
 }  // namespace contactlaws
