@@ -42,7 +42,8 @@ void visit_laws(Visit visit) {
   visit("LinearSpringDashpot", 3, LinearSpringDashpot<T>{spring, damped, {ratio, 0.4}, dry});
   visit("LinearSpringDashpot clipped", 3, LinearSpringDashpot<T, Tension::clipped>{spring, clipped, {ratio, 0.4}, dry});
 
-  visit("RoughBallast", 4, RoughBallast<T>{PohrtPopovElastoPlastic<T>::of({2.13, 26.1e-6}), undamped, {ratio, 0.7}, dry});
+  visit("RoughBallast", 4,
+        RoughBallast<T>{PohrtPopovElastoPlastic<T>::of({2.13, 26.1e-6}), undamped, {ratio, 0.7}, dry});
 
   visit("Hertz damped", 0, compose(hertz, damped, smooth, dry));
   visit("Hertz wet", 1, compose(hertz, undamped, smooth, wet));

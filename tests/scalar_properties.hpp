@@ -294,15 +294,17 @@ TEMPLATE_LIST_TEST_CASE("units do not matter", "", Scalars) {
       if (!square_is_exact<T>(m.force * m.force * power(T(2), -40))) continue;
       // A power of 2 changes no digit. The law takes square roots of single lengths, so of those a power of 4.
       const T two = T(2);
-      expect(law, m,
-             Units<T>{power<T>(4, exponent(random, 2)), power(two, exponent(random, 4)), power(two, exponent(random, 4))},
-             T(0));
+      expect(
+          law, m,
+          Units<T>{power<T>(4, exponent(random, 2)), power(two, exponent(random, 4)), power(two, exponent(random, 4))},
+          T(0));
       if (std::numeric_limits<T>::digits == 24) continue;  // ten powers of ten leave the range of a float
       // Each of some 10 inputs is rounded anew, with up to 9 roundings in its factor, and enters once or twice.
       const T ten = T(10);
-      expect(law, m,
-             Units<T>{power(ten, exponent(random, 9)), power(ten, exponent(random, 9)), power(ten, exponent(random, 9))},
-             200 * epsilon<T>());
+      expect(
+          law, m,
+          Units<T>{power(ten, exponent(random, 9)), power(ten, exponent(random, 9)), power(ten, exponent(random, 9))},
+          200 * epsilon<T>());
     }
   });
 }
