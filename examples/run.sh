@@ -5,10 +5,18 @@ cd "$(dirname "$0")/.."
 
 # shellcheck source=cmake/install_packages.sh
 . cmake/install_packages.sh
-install_packages g++ make cmake libeigen3-dev python3-matplotlib
+install_packages g++ make cmake libeigen3-dev nlohmann-json3-dev python3-matplotlib
 
 cmake --preset release -B build/examples -DCONTACTLAWS_BUILD_TESTS=OFF -DCONTACTLAWS_BUILD_BENCH=OFF
 cmake --build build/examples -j "$(nproc)"
-mkdir -p build/results
 
 build/examples/bin/first_contact
+wrong=0
+build/examples/bin/memo build/results || wrong=$?
+
+# The first Python that has matplotlib: Debian's package serves /usr/bin/python3, which need not be the first on the path.
+for python in python3 /usr/bin/python3; do
+  if "$python" -c 'import matplotlib' 2>/dev/null; then break; fi
+done
+"$python" examples/memo/figures.py build/results
+exit $wrong

@@ -46,7 +46,7 @@ inline void print(const char* title, const Rows& rows) {
   std::printf("\n%-48s %12s %19s %19s  %5s\n", title, "published", "expected", "computed", "error");
   for (const Row& row : rows) {
     char published[32] = "-";
-    if (row.published) std::snprintf(published, sizeof published, "%.9g", *row.published);
+    if (row.published) std::snprintf(published, sizeof published, "%.10g", *row.published);
     const std::string name = row.id + (*row.unit == '1' ? "" : std::string(" [") + row.unit + "]");
     std::printf("%-48s %12s %19.12g %19.12g  %5.0e %s\n", name.c_str(), published, row.expected, row.computed,
                 row.relative_error(), row.pass() ? "" : "FAILS");
