@@ -42,10 +42,10 @@ struct ProjectRestore {
     const T out_of_plane = dot<T>(shear, normal);
     const Vec3<T> in_plane = shear - normal * out_of_plane;
     const T lost = out_of_plane * out_of_plane;
-    const T kept = dot<T>(in_plane, in_plane);
-    // A turn whose square is below rounding changes no length; nor does any turn of a shear that is nothing.
+    const T kept = dot<T>(shear, shear) - lost;  // |in_plane|^2, sooner
+    // A turn whose square is below rounding changes no length, and a shear that lies along the normal has none left.
     using Lane = typename ScalarTraits<T>::Lane;
-    const Mask<T> shorter = lost > kept * T(std::numeric_limits<Lane>::epsilon());
+    const Mask<T> shorter = kept > T(0) && lost > kept * T(std::numeric_limits<Lane>::epsilon());
     if (!any<T>(shorter)) return in_plane;
     const T stretch = sqrt(T(T(1) + select<T>(shorter, lost, T(0)) / select<T>(shorter, kept, T(1))));
     return in_plane * stretch;

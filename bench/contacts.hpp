@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The contacts that every benchmark steps: a stated mix, so that figures can be compared.
+//
+//   granite spheres of 2 to 10 mm radius (log-uniform), normals over the sphere, overlaps up to 3e-5 m (half normal, 1e-5)
+//   every second pass each contact moves back: its velocity reversed, its normal turned by 1e-4 rad if the mix turns
+//   by default 5 % of the contacts slide, none is open or bridged, and normals rest; a Mix says otherwise
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+#include "contactlaws/contactlaws.hpp"
+
+namespace bench {
+
+using namespace contactlaws;
+
+struct Mix {
+  double sliding = 0.05;  ///< share of the contacts that slide for ever
+  double open = 0.0;      ///< share of the contacts that do not touch
+  double wet = 0.0;       ///< share of the contacts that carry a bridge, where the law has one
+  double turn = 0.0;      ///< angle between the normals of two passes [rad]
+};
+
+struct Contact {
+  PairProperties<double> pair;
+  ContactKinematics<double> there;  ///< in even passes
+  ContactKinematics<double> back;   ///< in odd passes
+  bool wet;
+};
+
+inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}) {
+  std::mt19937_64 random(20190405);
+  std::uniform_real_distribution<double> uniform;
+  std::normal_distribution<double> normal;
+  const auto direction = [&] { return Vec3<double>(normal(random), normal(random), normal(random)).normalized(); };
+  const ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
+  std::vector<Contact> contacts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto radius = [&] { return 2e-3 * std::pow(5.0, uniform(random)); };
+    const PairProperties<double> pair = pair_properties(sphere(granite, radius()), sphere(granite, radius()));
+    const bool is_open = uniform(random) < mix.open;
+    const bool slides = uniform(random) < mix.sliding;
+    const double touching = std::abs(normal(random)) * 1e-5;
+    const double overlap = is_open ? -touching : touching;
+    const Vec3<double> n = direction();
+    const Vec3<double> sideways = n.cross(direction());
+    // Per step of 1e-7 s: a slow contact strains its shear spring by 1e-4 of what friction bears, a fast one slides.
+    const Vec3<double> velocity = sideways * (overlap * (slides ? 1e7 : 1e2)) + n * (overlap * 1e2);
+    const Vec3<double> turned = (n + mix.turn * sideways).normalized();
+    const double dt = 1e-7;
+    contacts.push_back({pair, {n, overlap, velocity, dt}, {turned, overlap, -velocity, dt}, uniform(random) < mix.wet});
+  }
+  return contacts;
+}
+
+/// The state that a contact of the mix starts from.
+template <class Law>
+typename Law::State first_state(const Contact& contact) {
+  typename Law::State state{};
+  if constexpr (decltype(Law::bridge)::attracts)
+    if (contact.wet) state.moisture = 2;
+  return state;
+}
+
+/// Any composition, with the memo's granite for its parameters (and the paper's ballast where it is rough).
+template <class Law>
+Law granite() {
+  using Normal = decltype(Law::normal);
+  Law law;
+  if constexpr (std::is_same_v<Normal, LinearModulus<double>>) law.normal.modulus = 29e9;
+  if constexpr (std::is_same_v<Normal, LinearSpring<double>>) law.normal.normal_stiffness = 1e7;
+  if constexpr (std::is_base_of_v<RoughProfile<double, Power::accurate>, Normal> ||
+                std::is_base_of_v<RoughProfile<double, Power::fast>, Normal>)
+    law.normal = Normal::of({2.13, 26.1e-6});
+  if constexpr (decltype(Law::damping)::dissipates) law.damping.damping_constant = 0.07;
+  if constexpr (decltype(Law::shear)::resists) law.shear.friction = 0.4;
+  if constexpr (decltype(Law::bridge)::attracts) law.bridge.suction = 200e3;
+  return checked(law);
+}
+
+}  // namespace bench
