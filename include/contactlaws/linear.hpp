@@ -5,7 +5,7 @@
 //                  k = E pi r^2 / L,  r = R_o the smaller radius, L = R1 + R2 (a ball on a wall: r = L = R)
 //
 // Potyondy (2019) Sec. 2.1 and Eq. 22. Domain: any overlap; stiffness does not grow with it. No history.
-// Error: <= 1 ULP for a given k, <= 3 ULP from a modulus (tests/test_linear.cpp).
+// Error: <= 1 ULP for a given k, <= 5 ULP from a modulus (tests/test_linear.cpp).
 #pragma once
 
 #include <array>
