@@ -63,11 +63,11 @@ struct Random {
   }
 };
 
-/// Two grains of granite, 7.5 mm (held) and 5 mm (Potyondy 2019, Sec. 2).
+/// Two grains of granite, 7.5 mm and 5 mm (Potyondy 2019, Sec. 2), neither counted as fixed.
 template <class T>
 PairProperties<T> granite_pair() {
   const ElasticMaterial<T> granite{T(29) * T(1e9), T(15) / T(100), T(2650)};
-  return pair_properties(sphere(granite, T(T(75) / T(10000))).fixed(), sphere(granite, T(T(5) / T(1000))));
+  return pair_properties(sphere(granite, T(T(75) / T(10000))), sphere(granite, T(T(5) / T(1000))));
 }
 
 /// A pair of grains from a micrometre to a metre, from gel to steel.
@@ -79,5 +79,17 @@ inline PairProperties<double> random_pair(Random& random) {
   };
   return pair_properties(side(), side());
 }
+
+/// Properties that no pair has, for tests of accuracy: each log-uniform over many binades.
+template <class T>
+PairProperties<T> wide_pair(Random& random) {
+  const T smaller_radius = random.binary<T>(-30, 8);
+  return {random.binary<T>(-30, 8),  random.binary<T>(10, 40), random.binary<T>(10, 40),
+          random.binary<T>(-60, 20), smaller_radius,           smaller_radius * random.binary<T>(0, 6)};
+}
+
+/// log2 of the smallest number of T.
+template <class T>
+constexpr int smallest_exponent = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;
 
 }  // namespace contactlaws::test
