@@ -3,8 +3,8 @@
 // flat, at the transition; in closed form it is a Hertz contact at a reduced indentation d(o) of the overlap o:
 //
 //   F = k_n d^(3/2),   k_n = 4/3 E* sqrt(R*),   x = o / o_c
-//   d = d_c x^p                 o < o_c      (dF/do = C F^beta, integrated)         p   = 2 / (3 (1 - beta))
-//   d = o - (o_c - d_c)         o >= o_c     (Hertz, shifted)                       o_c = p d_c
+//   d = d_c x^p = o/p x^(p-1)   o < o_c      (dF/do = C F^beta, integrated)         p   = 2 / (3 (1 - beta))
+//   d = d_c + (o - o_c)         o >= o_c     (Hertz, shifted)                       o_c = p d_c
 //   beta = 0.2567 D_f           d_c = h 3/4 sqrt(pi) (20 / (pi^(3/2) D_f))^(1/beta)
 //
 // Force and slope are continuous at o_c; d_c and o_c depend on the surface alone, not on R* or E*.
@@ -56,7 +56,7 @@ struct RoughSurface {
 /// How a power is computed.
 enum class Power {
   accurate,  ///< pow: to about an ULP
-  fast       ///< exp(p log x): relative error grows by |p log x| eps
+  fast       ///< exp(y log x): relative error grows by |y log x| eps
 };
 
 /// What the surfaces remember once the bodies have been fully apart.
@@ -82,40 +82,48 @@ struct RoughProfile {
   /// d_c [m]
   CONTACTLAWS_HD T transition_indentation() const noexcept { return transition_overlap / exponent; }
 
-  /// d and its slope at an overlap >= 0 [m].
+  /// d and its slope x^(p-1) at an overlap >= 0 [m].
   CONTACTLAWS_HD Indentation indentation(const T& overlap) const noexcept {
     using std::exp;
     using std::log;
     using std::pow;
     const Mask<T> rough = overlap > T(0) && overlap < transition_overlap;
-    const T flat = overlap - (transition_overlap - transition_indentation());
-    if (!any<T>(rough)) return {positive_part<T>(flat), select<T>(overlap > T(0), T(1), T(0))};
-    const T x = select<T>(rough, overlap, transition_overlap) / transition_overlap;
-    T raised;
+    if (!any<T>(rough)) return {flattened(overlap), T(1)};
+    const T closed = select<T>(rough, overlap, transition_overlap);
+    const T less = exponent - T(1);
+    T slope;
     if constexpr (power == Power::accurate) {
-      raised = pow(x, exponent);
-    } else {
-      raised = exp(T(exponent * T(log(x))));
+      slope = pow(T(closed / transition_overlap), less);
+    } else {  // a division ahead of the logarithm would have to be waited for; this one does not depend on the overlap
+      slope = exp(T(less * T(log(T(closed * T(T(1) / transition_overlap))))));
     }
-    return {select<T>(rough, T(transition_indentation() * raised), positive_part<T>(flat)),
-            select<T>(overlap > T(0), T(raised / x), T(0))};
+    return {select<T>(rough, T(overlap / exponent * slope), flattened(overlap)), slope};
   }
 
   /// The overlap at which the indentation is `depth` >= 0 [m].
   T overlap_of(const T& depth) const {
     using std::pow;
     const T at_transition = transition_indentation();
-    if (depth >= at_transition) return depth + (transition_overlap - at_transition);
+    if (depth >= at_transition) return transition_overlap + (depth - at_transition);
     return transition_overlap * T(pow(T(depth / at_transition), T(T(1) / exponent)));
   }
 
-  /// Work of virgin loading to an overlap >= 0 [J]: F o / (3/2 p + 1) before the transition.
-  CONTACTLAWS_HD T virgin_work(const PairProperties<T>& pair, const T& overlap) const noexcept {
+  /// What it costs to flatten the asperities on the way to an overlap >= 0, in full from the transition on [J].
+  CONTACTLAWS_HD T flattening_work(const PairProperties<T>& pair, const T& overlap) const noexcept {
     const T rough_part = smaller<T>(overlap, transition_overlap);
-    const T force = hertz_response<T>(pair, indentation(rough_part).depth).force;
-    const T beyond = hertz_energy<T>(pair, larger<T>(indentation(overlap).depth, transition_indentation())) -
-                     hertz_energy<T>(pair, transition_indentation());
-    return force * rough_part / (T(T(3) / T(2)) * exponent + T(1)) + beyond;
+    const T depth = indentation(rough_part).depth;
+    const T force = hertz_response<T>(pair, depth).force;  // F ~ o^(3/2 p), so the work is F o / (3/2 p + 1)
+    return force * (rough_part / (T(T(3) / T(2)) * exponent + T(1)) - T(T(2) / T(5)) * depth);
+  }
+  /// Work of virgin loading to an overlap >= 0 [J].
+  CONTACTLAWS_HD T virgin_work(const PairProperties<T>& pair, const T& overlap) const noexcept {
+    return hertz_energy<T>(pair, indentation(overlap).depth) + flattening_work(pair, overlap);
+  }
+
+ private:
+  /// d beyond the transition [m].
+  CONTACTLAWS_HD T flattened(const T& overlap) const noexcept {
+    return positive_part<T>(T(transition_indentation() + (overlap - transition_overlap)));
   }
 
  protected:
@@ -206,20 +214,24 @@ struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
 
   /// What unloading would give back [J].
   CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
-    const T largest = larger<T>(overlap, state.largest_overlap);
-    return hertz_energy<T>(pair, positive_part<T>(T(this->indentation(largest).depth - (largest - overlap))));
+    return hertz_energy<T>(pair, elastic_indentation(state, overlap));
   }
-  /// What flattening the asperities has cost so far [J].
+  /// What flattening the asperities has cost since they were fresh [J].
   CONTACTLAWS_HD T plastic_dissipation(const State& state, const PairProperties<T>& pair) const noexcept {
-    return this->virgin_work(pair, state.largest_overlap) -
-           hertz_energy<T>(pair, this->indentation(state.largest_overlap).depth);
+    return this->flattening_work(pair, state.largest_overlap);
   }
 
-  /// Where a contact stands whose state was `before` at the last step; `separating` = v_n [m/s].
-  static Loading loading(const State& before, const T& overlap, const T& separating) noexcept {
-    if (!(overlap > T(0))) return Loading::open;
+  /// Where a contact stands whose state was `before` at the last step; `separating` = v_n [m/s]. Open: without force.
+  Loading loading(const State& before, const T& overlap, const T& separating) const noexcept {
+    if (!(elastic_indentation(before, overlap) > T(0))) return Loading::open;
     if (overlap >= before.largest_overlap) return Loading::virgin;
     return separating > T(0) ? Loading::unloading : Loading::reloading;
+  }
+
+ private:
+  CONTACTLAWS_HD T elastic_indentation(const State& state, const T& overlap) const noexcept {
+    const T largest = larger<T>(overlap, state.largest_overlap);
+    return positive_part<T>(T(this->indentation(largest).depth - (largest - overlap)));
   }
 };
 
