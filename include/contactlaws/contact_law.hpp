@@ -69,7 +69,7 @@ struct ContactLaw {
 
   /// A state as the host keeps it, and back: state_size values of T.
   CONTACTLAWS_HD static void store(const State& state, T* values) noexcept {
-    if constexpr (state_size > 0) std::memcpy(values, &state, sizeof(State));
+    if constexpr (state_size > 0) std::memcpy(static_cast<void*>(values), &state, sizeof(State));
   }
   CONTACTLAWS_HD static State load(const T* values) noexcept {
     State state{};
