@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -44,12 +45,22 @@ inline std::string to_string(const Range& range) {
   return text.str();
 }
 
+/// A number in the fewest digits that give it back: 0.7, not 0.69999999999999996.
+inline std::string to_string(double value) {
+  for (int digits = 6;; ++digits) {
+    std::ostringstream text;
+    text.precision(digits);
+    text << value;
+    if (digits == std::numeric_limits<double>::max_digits10 || std::strtod(text.str().c_str(), nullptr) == value)
+      return text.str();
+  }
+}
+
 /// Rejects `value` unless it lies in `range`. @throws std::invalid_argument naming owner, name, value, unit and range
 inline void require_in(const Range& range, double value, const char* owner, const char* name, const char* unit) {
   if (range.contains(value)) return;
   std::ostringstream text;
-  text.precision(17);
-  text << owner << ": " << name << " is " << value;
+  text << owner << ": " << name << " is " << to_string(value);
   if (std::string(unit) != "1") text << ' ' << unit;
   text << ", must lie in " << to_string(range);
   reject(text.str());
