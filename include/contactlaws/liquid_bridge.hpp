@@ -6,7 +6,7 @@
 //         0, and the bridge is gone  g >= g_r              g_r    = rupture_gap R_o
 //
 // Potyondy (2019) Eq. 12, where lambda = g_r = 2 R_o. Domain: psi >= 0. One value of history, the moisture state.
-// Error: <= 4 ULP (tests/test_liquid_bridge.cpp).
+// Error: <= 5 ULP at gaps within a decay length, 2 more for each further one (tests/test_liquid_bridge.cpp).
 #pragma once
 
 #include <array>
