@@ -1,6 +1,7 @@
 // The judge of accuracy: the same template at 200 bits, and the distance to it in units in the last place (ULP).
 #pragma once
 
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -39,7 +40,7 @@ class Worst {
 
   template <class... Inputs>
   void see(double error, const Inputs&... inputs) {
-    if (error <= error_) return;  // a NaN is seen
+    if (error <= error_ || std::isnan(error_)) return;  // a NaN is seen, and stays
     error_ = error;
     std::ostringstream text;
     text.precision(17);
