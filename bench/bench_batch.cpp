@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Batches against the scalar kernel and against memory, all in one process: built once per instruction set, the name says
+// which. Mix of the contacts: 5 % slide, 5 % are open; of the law with a bridge all are wet.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <string>
+
+#include "contact_arrays.hpp"
+#include "contactlaws/adapt/xsimd.hpp"
+
+namespace {
+
+using namespace bench;
+
+constexpr std::size_t in_cache = 1024;
+constexpr std::size_t in_memory = 1'000'000;
+
+void count(benchmark::State& run, std::size_t contacts, std::size_t bytes) {
+  const double stepped = static_cast<double>(run.iterations()) * static_cast<double>(contacts);
+  run.counters["per_contact"] = benchmark::Counter(stepped, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  run.counters["bandwidth"] = benchmark::Counter(stepped * static_cast<double>(bytes), benchmark::Counter::kIsRate,
+                                                 benchmark::Counter::OneK::kIs1000);
+}
+
+template <class Law>
+struct Stored {
+  PairProperties<typename Law::Scalar> pair;
+  ContactKinematics<typename Law::Scalar> kinematics;
+  typename Law::State state;
+  Vec3<typename Law::Scalar> force;
+};
+
+template <class Law>
+void one_by_one(benchmark::State& run, const Law& law, std::size_t contacts, const Mix& mix) {
+  using T = typename Law::Scalar;
+  std::vector<Stored<Law>> stored;
+  for (const Contact& c : make_contacts(contacts, mix))
+    stored.push_back({c.pair.cast<T>(), c.there.cast<T>(), first_state<Law>(c), Vec3<T>(T(0), T(0), T(0))});
+  for (auto _ : run) {
+    for (Stored<Law>& s : stored) {
+      const auto step = law.step(s.pair, s.kinematics, s.state);
+      s.state = step.state;
+      s.force = step.force;
+      s.kinematics.dt = -s.kinematics.dt;
+    }
+    benchmark::ClobberMemory();
+  }
+  count(run, contacts, 0);
+}
+
+/// Bytes that a batch moves per contact: what the law reads of pair and motion, state in and out, force out.
+template <class Law>
+constexpr std::size_t bytes_per_contact() {
+  constexpr std::size_t pair =
+      1 + (decltype(Law::damping)::dissipates ? 1 : 0) + (decltype(Law::bridge)::attracts ? 1 : 0);
+  constexpr std::size_t motion = decltype(Law::shear)::resists || decltype(Law::damping)::dissipates ? 7 : 4;
+  return (pair + motion + 2 * Law::state_size + 3) * sizeof(typename Law::Scalar);
+}
+
+template <class Law>
+void batched(benchmark::State& run, const Law& law, std::size_t contacts, const Mix& mix) {
+  ContactArrays<Law> arrays(make_contacts(contacts, mix));
+  const ContactBatch<Law> forwards = arrays.batch(true);
+  const ContactBatch<Law> backwards = arrays.batch(false);
+  bool even = true;
+  for (auto _ : run) {
+    evaluate(law, even ? forwards : backwards);
+    even = !even;
+    benchmark::ClobberMemory();
+  }
+  count(run, contacts, bytes_per_contact<Law>());
+}
+
+/// STREAM's triad (McCalpin 1995), the yardstick of memory: a = b + s c.
+void triad(benchmark::State& run) {
+  const std::size_t n = 20'000'000;
+  std::vector<double> a(n, 0.0), b(n, 1.0), c(n, 2.0);
+  double s = 3.0;
+  benchmark::DoNotOptimize(s);
+  for (auto _ : run) {
+    for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + s * c[i];
+    benchmark::ClobberMemory();
+  }
+  count(run, n, 3 * sizeof(double));
+}
+
+template <class Law>
+void add(const std::string& name, const Law& law, const Mix& mix) {
+  const auto with = [&mix](auto measure, const auto& a_law, std::size_t contacts) {
+    return [=](benchmark::State& run) { measure(run, a_law, contacts, mix); };
+  };
+  using Float = typename Law::template Rebind<float>;
+  const Float in_float = law.template cast<float>();
+  const auto put = [&name](const char* what, const auto& measure) {
+    benchmark::RegisterBenchmark((std::string(CONTACTLAWS_BENCH_ARCH "/") + name + what).c_str(), measure);
+  };
+  put("/double/scalar/1024", with(one_by_one<Law>, law, in_cache));
+  put("/double/batch/1024", with(batched<Law>, law, in_cache));
+  put("/double/batch/1e6", with(batched<Law>, law, in_memory));
+  put("/float/scalar/1024", with(one_by_one<Float>, in_float, in_cache));
+  put("/float/batch/1024", with(batched<Float>, in_float, in_cache));
+  put("/float/batch/1e6", with(batched<Float>, in_float, in_memory));
+}
+
+bool runs_here() {
+#if defined(__AVX512DQ__)
+  return __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+#elif defined(__AVX2__)
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+  return true;
+#endif
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (!runs_here()) {
+    std::puts(CONTACTLAWS_BENCH_ARCH ": this machine lacks the instructions, skipped");
+    return 0;
+  }
+  const Mix mix{0.05, 0.05, 1.0};
+  using Fast = ContactLaw<PohrtPopovElastoPlastic<double, Recontact::same_spot, Power::fast>, NoDashpots<double>,
+                          ShearForce<double, ConstantRatio<double>>>;
+  add("SmoothHertz", granite<SmoothHertz<double>>(), mix);
+  add("DryHill", granite<DryHill<double>>(), mix);
+  add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.05, 1.0, 1e-4});
+  add("Hill", granite<Hill<double>>(), mix);
+  add("RoughBallast", granite<RoughBallast<double>>(), mix);
+  add("RoughBallast/fast", granite<Fast>(), mix);
+  benchmark::RegisterBenchmark(CONTACTLAWS_BENCH_ARCH "/triad", triad);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}

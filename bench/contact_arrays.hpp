@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The benchmark's contacts as a host would keep them for batches: one array a quantity.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "contactlaws/batch.hpp"
+#include "contacts.hpp"
+
+namespace bench {
+
+template <class Law>
+class ContactArrays {
+ public:
+  using T = typename Law::Scalar;
+
+  explicit ContactArrays(const std::vector<Contact>& contacts) {
+    const auto column = [&contacts](const auto& value_of) {
+      std::vector<T> values;
+      values.reserve(contacts.size());
+      for (const Contact& c : contacts) values.push_back(static_cast<T>(value_of(c)));
+      return values;
+    };
+    radius_ = column([](const Contact& c) { return c.pair.radius; });
+    mass_ = column([](const Contact& c) { return c.pair.mass; });
+    smaller_radius_ = column([](const Contact& c) { return c.pair.smaller_radius; });
+    length_ = column([](const Contact& c) { return c.pair.length; });
+    overlap_ = column([](const Contact& c) { return c.there.overlap; });
+    for (int axis = 0; axis < 3; ++axis) {
+      there_.push_back(column([axis](const Contact& c) { return c.there.normal[axis]; }));
+      back_.push_back(column([axis](const Contact& c) { return c.back.normal[axis]; }));
+      velocity_.push_back(column([axis](const Contact& c) { return c.there.velocity[axis]; }));
+      force_.emplace_back(contacts.size(), T(0));
+    }
+    for (std::size_t i = 0; i < Law::state_size; ++i)
+      state_.push_back(column([i](const Contact& c) {
+        std::array<double, Law::state_size> values;
+        using Reference = typename Law::template Rebind<double>;
+        Reference::store(first_state<Reference>(c), values.data());
+        return values[i];
+      }));
+    young_ = static_cast<T>(contacts.front().pair.young);
+    shear_ = static_cast<T>(contacts.front().pair.shear);
+    dt_ = static_cast<T>(contacts.front().there.dt);
+  }
+
+  /// All contacts. `forwards`, or back in time: what strains a shear spring in one pass releases it in the next.
+  ContactBatch<Law> batch(bool forwards) {
+    ContactBatch<Law> b;
+    b.count = overlap_.size();
+    b.pair = {radius_.data(), young_, shear_, mass_.data(), smaller_radius_.data(), length_.data()};
+    b.overlap = overlap_.data();
+    b.dt = forwards ? dt_ : -dt_;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      b.normal[axis] = (forwards ? there_ : back_)[axis].data();
+      b.velocity[axis] = velocity_[axis].data();
+      b.force[axis] = force_[axis].data();
+    }
+    for (std::size_t i = 0; i < Law::state_size; ++i) b.state[i] = b.next[i] = state_[i].data();
+    return b;
+  }
+
+ private:
+  std::vector<T> radius_, mass_, smaller_radius_, length_, overlap_;
+  std::vector<std::vector<T>> there_, back_, velocity_, force_, state_;
+  T young_, shear_, dt_;
+};
+
+}  // namespace bench
