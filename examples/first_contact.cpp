@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A law, a pair of grains, one step: the force between two granite grains that are pressed together by 0.1 mm.
+// The README's program: a law, a pair of grains, one step.
 #include <iostream>
 
 #include "contactlaws/laws.hpp"
@@ -12,10 +12,7 @@ int main() {
 
   const Vec3<double> up(0.0, 0.0, 1.0), sideways(0.01, 0.0, 0.0);
   const ContactKinematics<double> motion{up, 0.1e-3, sideways, 1e-3};  // normal, overlap [m], velocity [m/s], step [s]
-  const DryHill<double>::State before{};                               // a new contact
-  const auto [force, after, elastic, surface, attraction, active, sliding] = law.step(pair, motion, before);
+  const auto step = law.step(pair, motion, {});                        // {}: a new contact
 
-  std::cout << "force on the upper grain: " << force.transpose() << " N\n"
-            << "shear history kept for the next step: " << after.shear[0] << " N\n"
-            << "sliding: " << (sliding ? "yes" : "no") << '\n';
+  std::cout << step.force.transpose() << " N, sliding: " << step.sliding << '\n';
 }
