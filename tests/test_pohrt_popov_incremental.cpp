@@ -88,6 +88,8 @@ TEST_CASE("Increments: each response is the stiffness that the paper prints") {
     CHECK(held.force == force);
     CHECK(held.stiffness == Approx(on_virgin_curve ? rough : hertz).epsilon(1e-13));
     CHECK(held.stiffest == Approx(hertz).epsilon(1e-13));
+    Plastic::State at_peak{force, force, 20e-6};  // F = F_max: still on the virgin curve
+    CHECK(law.respond(at_peak, pair, 20e-6).stiffness == Approx(force < 1776.24400 ? rough : hertz).epsilon(1e-13));
 
     Plastic::State pressed{force, largest, 20e-6}, eased{force, largest, 20e-6};
     const double little = 1e-3 * force / hertz;

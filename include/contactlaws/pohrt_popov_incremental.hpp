@@ -2,7 +2,7 @@
 // The rough law as its paper steps it (Tolomeo & McDowell 2022, Eqs 1 and 6): F := F + k(F) do, with
 //
 //   k(F) = k_c (F / F_c)^beta                 F < F_c      k_c = 2 E* sqrt(R* d_c)
-//        = (6 E*^2 F R*)^(1/3)                F >= F_c     (Hertz)
+//        = k_c (F / F_c)^(1/3)                F >= F_c     (Hertz: (6 E*^2 F R*)^(1/3))
 //   elasto-plastic: unloading, and reloading up to the largest force, take Hertz's stiffness at every force
 //
 // k(0) = 0, so an update that starts at F = 0 stays there: it is given a start, the seed force to which a closing contact
@@ -62,34 +62,32 @@ struct PohrtPopovIncremental : RoughProfile<T, Power::accurate> {
     const T tangent = stiffness(pair, force, force < largest);
     const T stiffest = stiffness(pair, force, Mask<T>(true));
     const T secant = force / select<T>(overlap > T(0), overlap, T(1));
-    return {force, tangent, secant, larger<T>(tangent, stiffest)};
+    return {force, tangent, secant, stiffest};
   }
 
   /// As if unloading from here along Hertz's curve [J].
   CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
-    if constexpr (plastic) return hertz_energy<T>(pair, hertz_depth(pair, state.normal_force));
-    return this->virgin_work(pair, overlap);
+    if constexpr (!plastic) return this->virgin_work(pair, overlap);
+    const T d = this->transition_indentation();
+    const T ratio = state.normal_force / hertz_response<T>(pair, d).force;
+    return T(T(2) / T(5)) * state.normal_force * d * power_of(ratio, T(T(2) / T(3)));
   }
 
  private:
-  /// The indentation at which Hertz's contact carries a force [m].
-  CONTACTLAWS_HD static T hertz_depth(const PairProperties<T>& pair, const T& force) noexcept {
-    using std::pow;
-    const T unit = hertz_response<T>(pair, T(1)).force;
-    const T closed = select<T>(force > T(0), force, unit);
-    return select<T>(force > T(0), T(pow(T(closed / unit), T(T(2) / T(3)))), T(0));
-  }
-  /// k(F) [N/m], Hertz's where `on_hertz` and the law is plastic.
-  CONTACTLAWS_HD T stiffness(const PairProperties<T>& pair, const T& force, const Mask<T>& on_hertz) const noexcept {
-    using std::pow;
+  /// k(F) = k_c (F / F_c)^beta or, as Hertz's stiffness is in the same units, k_c (F / F_c)^(1/3) [N/m].
+  CONTACTLAWS_HD T stiffness(const PairProperties<T>& pair, const T& force, const Mask<T>& unloaded) const noexcept {
     const HertzResponse<T> transition = hertz_response<T>(pair, this->transition_indentation());
-    const T hertz = hertz_response<T>(pair, hertz_depth(pair, force)).stiffness;
-    const Mask<T> rough = force > T(0) && force < transition.force;
-    const T ratio = select<T>(rough, force, transition.force) / transition.force;
+    const T ratio = force / transition.force;
+    Mask<T> rough = ratio < T(1);
+    if constexpr (plastic) rough = rough && !unloaded;
     const T beta = T(1) - T(2) / (T(3) * this->exponent);
-    const T virgin = select<T>(rough, T(transition.stiffness * T(pow(ratio, beta))), hertz);
-    if constexpr (plastic) return select<T>(on_hertz, hertz, virgin);
-    return virgin;
+    return transition.stiffness * power_of(ratio, select<T>(rough, beta, T(T(1) / T(3))));
+  }
+  /// x^y, and 0 for x = 0, where the logarithm within has no derivative.
+  CONTACTLAWS_HD static T power_of(const T& x, const T& y) noexcept {
+    using std::pow;
+    const Mask<T> positive = x > T(0);
+    return select<T>(positive, T(pow(select<T>(positive, x, T(1)), y)), T(0));
   }
 };
 
