@@ -32,6 +32,7 @@ void visit_laws(Visit visit) {
   const SuctionBridge<T> wet{2e5, 2.0, 2.0};
   const Mindlin<T> mindlin;
   const ConstantRatio<T> ratio{0.6};
+  const RoughSurface<T> ballast{2.13, 26.1e-6};
 
   visit("SmoothHertz", 0, SmoothHertz<T>{});
   visit("DryHill", 3, dry_hill<T>({0.4, 0.0, 0.07}));
@@ -42,8 +43,12 @@ void visit_laws(Visit visit) {
   visit("LinearSpringDashpot", 3, LinearSpringDashpot<T>{spring, damped, {ratio, 0.4}, dry});
   visit("LinearSpringDashpot clipped", 3, LinearSpringDashpot<T, Tension::clipped>{spring, clipped, {ratio, 0.4}, dry});
 
-  visit("RoughBallast", 4,
-        RoughBallast<T>{PohrtPopovElastoPlastic<T>::of({2.13, 26.1e-6}), undamped, {ratio, 0.7}, dry});
+  visit("RoughBallast", 4, RoughBallast<T>{PohrtPopovElastoPlastic<T>::of(ballast), undamped, {ratio, 0.7}, dry});
+  visit("Rough elastic damped", 3,
+        compose(PohrtPopov<T>::of(ballast), damped, ShearForce<T, ConstantRatio<T>>{ratio, 0.7}, dry));
+  visit("Rough fast fresh wet", 2,
+        compose(PohrtPopovElastoPlastic<T, Recontact::fresh_surface, Power::fast>::of(ballast), clipped, smooth, wet));
+  visit("Rough incremental", 3, compose(PohrtPopovIncremental<T>::of(ballast, 1e-12), undamped, smooth, dry));
 
   visit("Hertz damped", 0, compose(hertz, damped, smooth, dry));
   visit("Hertz wet", 1, compose(hertz, undamped, smooth, wet));

@@ -108,7 +108,8 @@ TEST_CASE("the derivative of the force is the tangent stiffness") {
 
       typename std::decay_t<decltype(law)>::State state{};
       const auto normal = law.normal.respond(state, pair, overlap);
-      CHECK(step.elastic.derivatives()[0] == Approx(normal.stiffness).epsilon(1e-13));
+      if (std::string(name) != "Rough incremental")  // whose step goes with the stiffness at its beginning
+        CHECK(step.elastic.derivatives()[0] == Approx(normal.stiffness).epsilon(1e-13));
       // What dashpots add for stability is not in the springs.
       CHECK(law.stiffness(pair, overlap, {}).normal == Approx(normal.stiffest * law.damping.stiffening()));
       if constexpr (has_shear<Law>) {
