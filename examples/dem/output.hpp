@@ -61,7 +61,7 @@ class Table {
 /// The balls, as points with radius, velocity, spin and force. In ParaView: Glyph, Sphere, scaled by `radius` x 2.
 /// @throws std::runtime_error naming the file that cannot be written
 inline void write_balls_vtk(const std::string& path, const Balls& balls) {
-  const Eigen::IOFormat in_a_line(Eigen::FullPrecision, Eigen::DontAlignCols, " ", " ");
+  const Eigen::IOFormat in_a_line(17, Eigen::DontAlignCols, " ", " ");
   std::ofstream file = detail::open_for_writing(path);
   const std::size_t count = balls.size();
   file << "# vtk DataFile Version 3.0\nballs, in m, kg, s\nASCII\nDATASET POLYDATA\nPOINTS " << count << " double\n";
@@ -83,7 +83,7 @@ inline void write_balls_vtk(const std::string& path, const Balls& balls) {
 /// force [N]. In ParaView: Tube. @throws std::runtime_error naming the file that cannot be written
 template <class Law>
 void write_contacts_vtk(const std::string& path, const Balls& balls, const Contacts<Law>& contacts) {
-  const Eigen::IOFormat in_a_line(Eigen::FullPrecision, Eigen::DontAlignCols, " ", " ");
+  const Eigen::IOFormat in_a_line(17, Eigen::DontAlignCols, " ", " ");
   std::ofstream file = detail::open_for_writing(path);
   std::vector<std::size_t> active;
   for (std::size_t c = 0; c < contacts.size(); ++c)

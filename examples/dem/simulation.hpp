@@ -86,7 +86,7 @@ class Simulation {
     last_step = time_step;
     time += time_step;
     ++steps;
-    if (farthest_move() > skin_length() / 2.0) list_neighbours();
+    if (farthest_move() > margin_ / 2.0) list_neighbours();
     find_forces(time_step);
   }
 
@@ -104,6 +104,7 @@ class Simulation {
 
  private:
   bool started_ = false;
+  double margin_ = 0.0;          ///< how far neighbours were listed beyond the laws' reach [m]
   std::vector<Vec3> listed_at_;  ///< where balls, then walls, were when neighbours were listed [m]
 
   static std::size_t checked_id(int id, std::size_t count, const char* kind) {
@@ -139,11 +140,6 @@ class Simulation {
 
   // Neighbours --------------------------------------------------------------------------------------------------------
 
-  double skin_length() const {
-    if (balls.size() == 0) return 0.0;
-    return skin * *std::min_element(balls.radius.begin(), balls.radius.end());
-  }
-
   double farthest_move() const {
     double square = 0.0;
     for (std::size_t b = 0; b < balls.size(); ++b)
@@ -154,21 +150,21 @@ class Simulation {
   }
 
   void list_neighbours() {
-    const double margin = skin_length();
+    margin_ = balls.size() > 0 ? skin * *std::min_element(balls.radius.begin(), balls.radius.end()) : 0.0;
     std::vector<double> reach(balls.size());  // a law's range is taken to grow with the smaller radius of the pair
     std::vector<Pair> at_walls;
     for (std::size_t b = 0; b < balls.size(); ++b) {
-      reach[b] = ball_law.interaction_range(twins(balls.side[b])) + margin;
-      const double reach_of_wall = wall_law.interaction_range(twins(balls.side[b])) + margin;
+      reach[b] = ball_law.interaction_range(twins(balls.side[b])) + margin_;
+      const double reach_of_wall = wall_law.interaction_range(twins(balls.side[b])) + margin_;
       for (std::size_t w = 0; w < walls.size(); ++w)
         if (-meet_wall(w, b).overlap <= reach_of_wall) at_walls.push_back({static_cast<int>(w), static_cast<int>(b)});
     }
     ball_contacts.list(
-        ball_law, find_neighbours(balls.position, balls.radius, reach), margin,
+        ball_law, find_neighbours(balls.position, balls.radius, reach), margin_,
         [this](std::size_t i, std::size_t j) { return contactlaws::pair_properties(balls.side[i], balls.side[j]); },
         [this](std::size_t i, std::size_t j) { return meet_balls(i, j); });
     wall_contacts.list(
-        wall_law, at_walls, margin,
+        wall_law, at_walls, margin_,
         [this](std::size_t w, std::size_t b) { return contactlaws::pair_properties(walls[w].side, balls.side[b]); },
         [this](std::size_t w, std::size_t b) { return meet_wall(w, b); });
     listed_at_ = balls.position;
