@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "drive.hpp"
+
+template void contact_path::drive<double>(const LawDescription&, const std::string&, std::ostream&);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Drives a contact law along an imposed motion:
+//
+//   contact_path LAW.toml PATH.csv [-o OUT.csv] [--precision double|float|long|200]
+//   contact_path --list
+//
+// Ends with 0, or with 2 on a fault in its input, which it names; then there is no output.
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "contactlaws/adapt/multiprecision.hpp"
+#include "law_file.hpp"
+#include "list.hpp"
+#include "output_file.hpp"
+
+namespace contact_path {
+
+/// Compiled apart, a precision a unit: drive_double.cpp and its kind.
+template <class T>
+void drive(const LawDescription& law, const std::string& path_file, std::ostream& out);
+
+namespace {
+
+using Driver = void (*)(const LawDescription&, const std::string&, std::ostream&);
+const std::map<std::string, Driver> drivers{{"double", drive<double>},
+                                            {"float", drive<float>},
+                                            {"long", drive<long double>},
+                                            {"200", drive<contactlaws::Binary200>}};
+
+struct Arguments {
+  std::string law;
+  std::string path;
+  std::string out;
+  std::string precision = "double";
+};
+
+void run(const Arguments& arguments) {
+  const LawDescription law = read_law(arguments.law);
+  const Driver drive_law = drivers.at(arguments.precision);
+  if (arguments.out.empty()) {
+    drive_law(law, arguments.path, std::cout);
+    if (!std::cout.flush()) throw InputError("the standard output cannot be written");
+    return;
+  }
+  for (const std::string& input : {arguments.law, arguments.path}) {
+    std::error_code not_there;
+    if (std::filesystem::equivalent(input, arguments.out, not_there))
+      fail({arguments.out}, "is also an input, and would be lost");
+  }
+  OutputFile out(arguments.out);
+  drive_law(law, arguments.path, out.stream());
+  out.complete();
+}
+
+}  // namespace
+
+}  // namespace contact_path
+
+int main(int argc, char** argv) {
+  CLI::App app("Drives a contact law along an imposed motion, and writes the force and the state at every step.");
+  contact_path::Arguments arguments;
+  const auto list = [] {
+    contact_path::list_all(std::cout);
+    throw CLI::Success();
+  };
+  app.add_option("LAW.toml", arguments.law, "the law and the pair of bodies")->required();
+  app.add_option("PATH.csv", arguments.path, "the motion, a row a step")->required();
+  app.add_option("-o,--output", arguments.out, "where to write (default: the standard output)");
+  app.add_option("--precision", arguments.precision, "what to compute in (default: double)")
+      ->check(CLI::IsMember({"double", "float", "long", "200"}));
+  app.add_flag_callback("--list", list, "prints laws, parameters, units and ranges, and the columns of the files");
+  try {
+    app.parse(argc, argv);
+    contact_path::run(arguments);
+    return 0;
+  } catch (const CLI::ParseError& fault) {
+    return app.exit(fault) == 0 ? 0 : 2;
+  } catch (const std::exception& fault) {
+    std::cerr << "contact_path: " << fault.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,459 @@
+#!/usr/bin/env python3
+"""Runs examples/contact_path from outside, as its user does: numbers against closed forms and publications, every kind of
+fault in its input, and what it leaves behind.
+
+    check.py CONTACT_PATH [unittest options]
+"""
+
+import csv
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = ""
+EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "contact_path"
+HEADER = "dt,overlap,nx,ny,nz,vx,vy,vz\n"
+STEP = "1e-6,1e-4,0,0,1,0,0,-1\n"
+HERTZ = 'normal = "hertz"\n'
+FORCE = '[shear]\nlaw = "force"\nfriction = 0.4\n'
+PAIR = "[pair]\nradius = 3e-3\nyoung = 14e9\nshear = 3e9\nmass = 1e-3\nsmaller_radius = 5e-3\nlength = 12e-3\n"
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+def rows_of(text):
+    lines = [line for line in text.splitlines() if not line.startswith("#")]
+    return list(csv.DictReader(lines))
+
+
+def law_text(name):
+    return (EXAMPLE / "laws" / f"{name}.toml").read_text()
+
+
+class InTemporaryDirectory(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.directory = Path(temporary.name)
+
+    def file(self, name, text):
+        path = self.directory / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def drive(self, law, path, precision="double"):
+        """The rows of OUT.csv. `law` is text; `path` the name of an example's path, or text."""
+        law_file = self.file("law.toml", law)
+        path_file = self.file("path.csv", path) if "\n" in path else EXAMPLE / "paths" / f"{path}.csv"
+        out = self.directory / "out.csv"
+        result = run(law_file, path_file, "-o", out, "--precision", precision)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        return rows_of(out.read_text())
+
+    def assert_close(self, value, expected, tolerance):
+        self.assertLessEqual(abs(float(value) - expected), tolerance * abs(expected), f"{value}, expected {expected}")
+
+
+class Numbers(InTemporaryDirectory):
+    def test_closed_forms_of_the_examples(self):
+        """expected.csv, whose tolerances have their reasons beside them."""
+        answers = {}
+        expected = rows_of((EXAMPLE / "expected.csv").read_text())
+        self.assertGreater(len(expected), 40)
+        for row in expected:
+            key = row["law"], row["path"]
+            if key not in answers:
+                answers[key] = self.drive(law_text(row["law"]), row["path"])
+            with self.subTest(**row):
+                value, wanted = float(answers[key][int(row["step"]) - 1][row["column"]]), float(row["expected"])
+                # Where nothing is expected, the tolerance is absolute: of joules or newtons of order one and more.
+                scale = abs(wanted) if wanted != 0 else 1.0
+                self.assertLessEqual(abs(value - wanted), float(row["tolerance"]) * scale)
+
+    def test_numbers_of_the_memo(self):
+        """Potyondy (2019), recomputed to twelve digits."""
+
+        def at(law, path, step, column, *change):
+            return self.drive(law_text(law).replace(*change) if change else law_text(law), path)[step - 1][column]
+
+        no_limit = "friction = 0.4", "friction = 1000"
+        for number, value in {
+            18221.2373908: at("memo_linear", "stage_a", 100, "fn_total"),
+            18039.0250169: at("memo_linear", "stage_b", 200, "fx", *no_limit),
+            7288.49495633: at("memo_linear", "stage_b", 200, "fx"),
+            1083.30463206478: at("memo_hill", "stage_a", 100, "fn_total"),
+            1478.27164521: at("memo_hill", "stage_b", 200, "fx", *no_limit),
+            433.321852826: at("memo_hill", "stage_b", 200, "fx"),
+            3960.44634634: at("memo_hill_dashpots", "dashpot_normal", 101, "fn_total"),
+            3064.04820570: at("memo_hill_dashpots", "dashpot_normal", 102, "fn_total"),
+            1595.99115427: at("memo_hill_dashpots", "dashpot_shear", 201, "fx"),
+            1552.18522748: at("memo_hill_dashpots", "dashpot_shear", 202, "fx"),
+            -15.70796: at("memo_hill_wet", "bridge", 242, "fn_total"),
+        }.items():
+            with self.subTest(number=number):
+                printed = 1e-6 if number == -15.70796 else 1e-11  # half a unit in the last digit printed, at most
+                self.assert_close(value, number, printed)
+
+    def test_laws_of_other_codes(self):
+        """Forces that those codes gave on this path: F_t with mu = 10, with 0.4, backed off, returned."""
+        whole, rescaled, half, slipping = 1478.27164, 1045.29590, 739.135823, 433.321853
+        # The codes' own steps leave some 1e-9; figures are printed to nine digits.
+        # Projection without restored length loses a^2/2N on an arc of a = 0.008 rad in N = 100 steps: 3e-7.
+        table = [
+            ("lammps_mindlin", "eight_laws", (whole, slipping, rescaled, whole), 1e-8),
+            ("lammps_mindlin_rescale", "eight_laws", (whole, slipping, half, rescaled), 1e-8),
+            ("lammps_mindlin_force", "eight_laws", (whole, slipping, whole, whole), 1e-8),
+            ("lammps_mindlin_rescale_force", "eight_laws", (whole, slipping, rescaled, rescaled), 1e-8),
+            ("liggghts_hertz_history", "eight_laws", (whole, slipping, rescaled, whole), 4e-7),
+            ("yade_mindlin", "eight_laws_yade", (1490.193193, slipping, 1490.193193, 1490.193193), 1e-8),
+            ("yade_mindlin", "eight_laws", (whole, slipping, whole, whole), 1e-8),
+        ]
+        named = {law for law, *_ in table}
+        there = {file.stem for file in (EXAMPLE / "laws").glob("*.toml")}
+        self.assertEqual(named, {law for law in there if law.split("_")[0] in ("lammps", "liggghts", "yade")})
+
+        def shear(row):
+            force = math.hypot(*(float(row[c]) for c in ("fx", "fy", "fz")))
+            return math.sqrt(force**2 - float(row["fn_total"]) ** 2)
+
+        for law, path, (sheared, limited, backed_off, returned), tolerance in table:
+            with self.subTest(law=law, path=path):
+                sticking = self.drive(law_text(law).replace("friction = 0.4", "friction = 10"), path)
+                sliding = self.drive(law_text(law), path)
+                self.assert_close(sticking[149]["fn_total"], 1083.304632, 1e-9)
+                self.assert_close(shear(sticking[149]), sheared, tolerance)
+                self.assert_close(shear(sliding[149]), limited, tolerance)
+                self.assert_close(shear(sticking[174]), backed_off, tolerance)
+                self.assert_close(shear(sticking[199]), returned, tolerance)
+
+    def test_incremental_ballast_follows_the_closed_form(self):
+        """To the first order of its steps: 1.5 % at 1000 steps to 10 um (Tolomeo & McDowell's update)."""
+        fine = HEADER + "".join(f"1e-6,{(i + 1) * 1e-8:.12g},0,0,1,0,0,-1e-2\n" for i in range(1000))
+        wanted = float(self.drive(law_text("ballast"), fine)[-1]["fn_total"])
+        law = law_text("ballast_incremental").replace("seed_force = 1e-6", "seed_force = 1e-12")
+        self.assertAlmostEqual(float(self.drive(law, fine)[-1]["fn_total"]) / wanted - 1, -0.015, delta=0.001)
+
+    def test_restitution_is_the_damping_constant_that_it_names(self):
+        # alpha = -sqrt(5) ln e / sqrt(ln^2 e + pi^2), and 2 z for a linear spring
+        ratio = -math.log(0.7) / math.sqrt(math.log(0.7) ** 2 + math.pi**2)
+        for normal, per_ratio in ((HERTZ, math.sqrt(5)), ('[normal]\nlaw = "linear"\nstiffness = 1e6\n', 2)):
+            by = lambda key, value: normal + f'[damping]\nlaw = "dashpots"\n{key} = {value!r}\n' + PAIR
+            asked = self.drive(by("restitution", 0.7), HEADER + STEP)[0]
+            given = self.drive(by("damping_constant", per_ratio * ratio), HEADER + STEP)[0]
+            self.assert_close(asked["fn_total"], float(given["fn_total"]), 1e-14)
+            self.assertGreater(float(asked["fn_total"]), float(asked["fn_elastic"]))
+
+    def test_tension_is_clipped_where_asked(self):
+        law = HERTZ + '[damping]\nlaw = "dashpots"\ndamping_constant = 1\ntension = "{}"\n' + PAIR
+        leaving = HEADER + "1e-6,1e-6,0,0,1,0,0,5\n"
+        self.assertLess(float(self.drive(law.format("allowed"), leaving)[0]["fn_total"]), 0)
+        self.assertEqual(float(self.drive(law.format("clipped"), leaving)[0]["fn_total"]), 0)
+
+    def test_two_bodies_and_their_effective_values_are_the_same_pair(self):
+        nu, young, rho, r1, r2 = 0.15, 29e9, 2650, 7.5e-3, 5e-3
+        masses = [4 / 3 * math.pi * r**3 * rho for r in (r1, r2)]
+        effective = (
+            f"[pair]\nradius = {r1 * r2 / (r1 + r2)!r}\nyoung = {young / 2 / (1 - nu**2)!r}\n"
+            f"shear = {young / 4 / (2 - nu) / (1 + nu)!r}\nmass = {1 / sum(1 / m for m in masses)!r}\n"
+        )
+        bodies = law_text("memo_hill_dashpots")
+        law = bodies[: bodies.index("[pair.body1]")] + effective
+        for mine, other in zip(self.drive(law, "dashpot_shear"), self.drive(bodies, "dashpot_shear")):
+            for column in ("fx", "fz"):
+                self.assert_close(mine[column], float(other[column]), 1e-13)
+
+    def test_kinds_of_bodies(self):
+        steel = "young = 2e11\npoisson = 0.3\n"
+        head = 'normal = "hertz"\n[damping]\nlaw = "dashpots"\ndamping_constant = 0.1\n'
+
+        def force(body1, body2):
+            row = self.drive(f"{head}[pair.body1]\n{body1}\n[pair.body2]\n{body2}\n", HEADER + STEP)[0]
+            return float(row["fn_elastic"]), float(row["fn_total"]) - float(row["fn_elastic"])
+
+        ball, mass = steel + "radius = 1e-3\ndensity = 7850\n", 4 / 3 * math.pi * 1e-9 * 7850
+        spring, dashpot = force(ball, ball)
+        by_mass = force(ball.replace("density = 7850", f"mass = {mass!r}"), ball)
+        # A dashpot's share is the difference of two forces a thousand times as large.
+        self.assert_close(by_mass[1], dashpot, 1e-12)
+        self.assert_close(force(steel + "plane = true", ball)[0], spring * math.sqrt(2), 1e-12)  # R* = R, not R/2
+        self.assert_close(force(ball + "rigid = true", ball)[0], spring * 2, 1e-12)  # 1/E* has one side
+        self.assert_close(force(ball + "fixed = true", ball)[1], dashpot * math.sqrt(2), 1e-12)  # m* = m, not m/2
+        self.assert_close(force("radius = 1e-3\nrigid = true\nfixed = true", ball)[0], spring * 2, 1e-12)
+
+    def test_all_compositions_run_in_all_precisions(self):
+        rough = 'law = "pohrt_popov{}"\nfractal_dimension = 2.13\nroughness = 26.1e-6\n'
+        normals = ['law = "linear"\nstiffness = 1e7\n', 'law = "linear"\nmodulus = 1e9\n', 'law = "hertz"\n']
+        normals += [rough.format("") + f'power = "{power}"\n' for power in ("accurate", "fast")]
+        normals += [
+            rough.format("_elasto_plastic") + f'power = "{power}"\nrecontact = "{recontact}"\n'
+            for power in ("accurate", "fast")
+            for recontact in ("same_spot", "fresh_surface")
+        ]
+        normals += [
+            rough.format("_incremental") + f'seed_force = 1e-9\nunloads = "{unloads}"\n'
+            for unloads in ("plastically", "elastically")
+        ]
+        dampings = ['law = "none"\n'] + [
+            f'law = "dashpots"\ndamping_constant = 0.07\ntension = "{tension}"\n' for tension in ("allowed", "clipped")
+        ]
+        shears = ['law = "none"\n'] + [
+            f'law = "{law}"\nfriction = 0.5\ncarry = "{carry}"\n'
+            for law in ("force", "force_rescaled", "displacement", "displacement_rescaled", "constant_ratio")
+            for carry in ("project", "project_restore", "rotate")
+        ]
+        bridges = ['law = "none"\n', 'law = "suction"\nsuction = 2e4\nwet = true\n']
+        path = HEADER + "".join(
+            f"1e-6,{o}e-6,{a / 100},0,1,{-0.5 + a / 10},0.1,{-v}\n"
+            for a, (o, v) in enumerate([(2, 2), (4, 2), (6, 2), (5, -1), (4, -1), (-2, -6), (3, 5)])
+        )
+        # Not the whole product of a thousand: each law of each slot in turn, beside each of the slot before it.
+        compositions = []
+        for i, normal in enumerate(normals):
+            for j, shear in enumerate(shears):
+                compositions.append((normal, dampings[(i + j) % 3], shear, bridges[(i + j // 3) % 2]))
+        for number, (normal, damping, shear, bridge) in enumerate(compositions):
+            law = f"[normal]\n{normal}[damping]\n{damping}[shear]\n{shear}[bridge]\n{bridge}{PAIR}"
+            with self.subTest(law=law):
+                # Steps of 2 um in 6: the increments of the incremental law amplify a rounding no more than the others do.
+                exact = self.drive(law, path, "200")
+                largest = max(abs(float(row[c])) for row in exact for c in ("fx", "fy", "fz"))
+                self.assertGreater(largest, 0)
+                precision, epsilon = [("double", 2.0**-52), ("float", 2.0**-23), ("long", 2.0**-52)][number % 3]
+                rounded = self.drive(law, path, precision)
+                for row, other in zip(rounded, exact):
+                    self.assertEqual(list(row), list(other))
+                    for c in ("fx", "fy", "fz", "fn_elastic", "fn_total"):
+                        self.assertLessEqual(abs(float(row[c]) - float(other[c])), 100 * epsilon * largest, c)
+
+    def test_precision(self):
+        """Each precision is as far from 200 bits as its rounding, and no nearer: it is the one that was asked for."""
+        exact = self.drive(law_text("memo_hill_dashpots"), "dashpot_shear", "200")
+        for precision, epsilon in (("float", 2.0**-23), ("double", 2.0**-52)):
+            rows = self.drive(law_text("memo_hill_dashpots"), "dashpot_shear", precision)
+            errors = [abs(float(r["fx"]) - float(e["fx"])) / 1600 for r, e in zip(rows, exact)]
+            self.assertLessEqual(max(errors), 100 * epsilon)  # half a rounding in each of 100 increments
+            self.assertGreater(max(errors), epsilon / 4)
+        rows = self.drive(law_text("memo_hill_dashpots"), "dashpot_shear", "long")
+        errors = [abs(float(r["fx"]) - float(e["fx"])) / 1600 for r, e in zip(rows, exact)]
+        self.assertLessEqual(max(errors), 2.0**-52)  # of the doubles that this script reads
+
+    def test_decimals_are_rounded_once(self):
+        """At 200 bits 0.1 is 0.1, not the double next to it: 17 digits of F = k o show that in every one."""
+        law = '[normal]\nlaw = "linear"\nstiffness = 0.1\n'
+        row = self.drive(law, HEADER + "1,0.3,0,0,1,0,0,0\n", "200")[0]
+        self.assertEqual(row["fn_total"], "0.03")
+        self.assertEqual(self.drive(law, HEADER + "1,0.3,0,0,1,0,0,0\n")[0]["fn_total"], "0.029999999999999999")
+        grouped = '[normal]\nlaw = "linear"\nstiffness = 1_00.5e-3\n'
+        self.assertEqual(self.drive(grouped, HEADER + "1,1,0,0,1,0,0,0\n", "200")[0]["fn_total"], "0.1005")
+        hexadecimal = '[normal]\nlaw = "linear"\nstiffness = 0x10\n'
+        self.assertEqual(self.drive(hexadecimal, HEADER + "1,1,0,0,1,0,0,0\n", "200")[0]["fn_total"], "16")
+
+
+class Forms(InTemporaryDirectory):
+    """What the files may look like."""
+
+    def test_columns(self):
+        rows = self.drive(law_text("memo_hill_wet"), "bridge")
+        self.assertEqual(
+            ",".join(rows[0]),
+            "step,fx,fy,fz,fn_elastic,fn_total,slip,active,stored_energy,dissipated_energy,"
+            "shear_x,shear_y,shear_z,moisture",
+        )
+        self.assertEqual([row["step"] for row in rows[:3]], ["1", "2", "3"])
+
+    def test_csv_as_spreadsheets_write_it(self):
+        law = HERTZ + PAIR
+        plain = self.drive(law, HEADER + STEP)
+        bom = "\ufeff# a remark\r\n\r\n" + HEADER.replace("\n", "\r\n") + " 1e-6 ,\t1e-4 ,0,0,+1,0,0,-1.0 \r\n\r\n"
+        self.assertEqual(self.drive(law, bom), plain)
+        self.assertEqual(self.drive(law, HEADER + STEP.rstrip("\n")), plain)  # no newline at the end
+        other_order = "vz,vy,vx,nz,ny,nx,overlap,dt\n-1,0,0,1,0,0,1e-4,1e-6\n"
+        self.assertEqual(self.drive(law, other_order), plain)
+
+    def test_length_of_the_normal_does_not_matter(self):
+        plain = self.drive(HERTZ + FORCE + PAIR, HEADER + "1,1e-4,3,0,4,1e-6,0,0\n")
+        for normal in ("0.6,0,0.8", "3e200,0,4e200", "3e-200,0,4e-200"):
+            scaled = self.drive(HERTZ + FORCE + PAIR, HEADER + f"1,1e-4,{normal},1e-6,0,0\n")
+            for column in ("fx", "fz"):
+                self.assert_close(scaled[0][column], float(plain[0][column]), 1e-15)
+
+    def test_without_a_file_the_rows_go_to_the_standard_output(self):
+        law, path = self.file("law.toml", HERTZ + PAIR), self.file("path.csv", HEADER + STEP)
+        result = run(law, path)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(rows_of(result.stdout), self.drive(HERTZ + PAIR, HEADER + STEP))
+
+    def test_list_and_help(self):
+        result = run("--list")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        names = """linear hertz pohrt_popov pohrt_popov_elasto_plastic pohrt_popov_incremental none dashpots force
+            force_rescaled displacement displacement_rescaled constant_ratio suction wet damping_constant restitution
+            tension friction carry project project_restore rotate fractal_dimension roughness seed_force stiffness modulus
+            radius young shear mass smaller_radius length poisson density plane fixed rigid make_wet dissipated_energy
+            kg/m^3 [0, (-1, 0.5] (0, 1]""".split()
+        for name in names:
+            self.assertIn(name, result.stdout)
+        self.assertEqual(run("--help").returncode, 0)
+
+
+class Faults(InTemporaryDirectory):
+    """Exit code 2, a message that names what is wrong, and nothing left behind."""
+
+    def refuse(self, law, path, *words, arguments=()):
+        law_file = self.file("law.toml", law) if law is not None else self.directory / "law.toml"
+        path_file = self.file("path.csv", path) if path is not None else self.directory / "path.csv"
+        before = sorted(os.listdir(self.directory))
+        result = run(law_file, path_file, "-o", self.directory / "out.csv", *arguments)
+        with self.subTest(words=words):
+            self.assertEqual(result.returncode, 2)
+            self.assertEqual(result.stdout, "")
+            for word in words:
+                self.assertIn(word, result.stderr)
+            self.assertEqual(sorted(os.listdir(self.directory)), before)
+
+    def refuse_law(self, law, *words):
+        self.refuse(law, HEADER + STEP, *words)
+
+    def refuse_path(self, path, *words):
+        self.refuse(HERTZ + FORCE + PAIR, path, *words)
+
+    def test_law_files(self):
+        dashpots = '[damping]\nlaw = "dashpots"\n'
+        linear = '[normal]\nlaw = "linear"\n'
+        rough = '[normal]\nlaw = "pohrt_popov"\nfractal_dimension = 2.1\nroughness = 1e-6\n'
+        self.refuse(None, HEADER + STEP, "law.toml: cannot be opened")
+        self.refuse_law("", "law.toml: normal is missing", "linear, hertz")
+        self.refuse_law("normal = hertz\n", "law.toml:1:")
+        self.refuse_law("normal = 3\n", "law.toml:1:10: [normal] law is 3", "linear, hertz")
+        self.refuse_law('normal = "herz"\n', 'law.toml:1:10: [normal] law is "herz"', "must be one of linear, hertz")
+        self.refuse_law("[normal]\n", "law.toml:1:1: [normal] law is missing")
+        self.refuse_law(HERTZ + "friktion = 1\n" + PAIR, "law.toml:2:1:", "'friktion'", "normal, damping, shear")
+        self.refuse_law(HERTZ + FORCE + "frction = 1\n" + PAIR, "law.toml:5:11: [shear] force", "'frction'", "friction")
+        self.refuse_law(HERTZ + '[shear]\nlaw = "force"\n' + PAIR, "law.toml:2:1: [shear] friction is missing", "[0, inf)")
+        self.refuse_law(HERTZ + FORCE.replace("0.4", "-0.5") + PAIR, "law.toml:4:12: [shear] friction is -0.5", "[0, inf)")
+        self.refuse_law(HERTZ + FORCE.replace("0.4", "nan") + PAIR, "law.toml:4:12: [shear] friction is 'nan'", "[0, inf)")
+        self.refuse_law(HERTZ + FORCE.replace("0.4", "inf") + PAIR, "law.toml:4:12: [shear] friction is 'inf'", "[0, inf)")
+        self.refuse_law(HERTZ + FORCE.replace("0.4", '"a"') + PAIR, "law.toml:4:12: [shear] friction is '\"a\"'", "number")
+        self.refuse_law(HERTZ + FORCE + 'carry = "spin"\n' + PAIR, "law.toml:5:9: [shear] carry", "project_restore")
+        self.refuse_law(HERTZ + '[bridge]\nlaw = "suction"\nsuction = 1\nwet = 1\n' + PAIR, "law.toml:5:7: [bridge] wet", "true or")
+        self.refuse_law(rough.replace("2.1", "3.5") + PAIR, "law.toml:3:21:", "fractal_dimension is 3.5", "[2, 3]")
+        self.refuse_law(rough.replace("1e-6", "0") + PAIR, "law.toml:4:13:", "roughness is 0 m", "(0, inf)")
+        self.refuse_law(rough.replace("roughness = 1e-6\n", "") + PAIR, "roughness is missing", "(0, inf) m")
+        self.refuse_law(HERTZ + dashpots + PAIR, "law.toml:2:1:", "one of damping_constant, restitution", "none")
+        self.refuse_law(HERTZ + dashpots + "damping_constant = 1\nrestitution = 1\n" + PAIR, "restitution, and has more")
+        self.refuse_law(HERTZ + dashpots + "restitution = 0\n" + PAIR, "law.toml:4:15: [damping] restitution is 0", "(0, 1]")
+        self.refuse_law(rough + dashpots + "restitution = 0.5\n" + PAIR, "law.toml:7:15:", "beside pohrt_popov")
+        self.refuse_law(linear + PAIR, "one of stiffness, modulus")
+        self.refuse_law(linear + "stiffness = 1\nmodulus = 1\n" + PAIR, "one of stiffness, modulus", "more")
+        self.refuse_law(HERTZ + FORCE + "ratio = 1\n" + PAIR, "law.toml:5:9: [shear] ratio", "constant_ratio")
+        self.refuse_law(HERTZ + '[damping]\nlaw = "none"\ntension = "clipped"\n' + PAIR, "no key 'tension'; it has none")
+        self.refuse_law("x" * 100 + "\n", "law.toml:")
+        self.refuse_law(b"\xff\xfe\x00", "law.toml:")
+        self.refuse_law(HERTZ + HERTZ, "law.toml:2:")
+        self.refuse_law(HERTZ + "[pair]\nradius = 1e-3\n", "law.toml:2:1: [pair] young is missing", "Pa", "[normal] hertz")
+        self.refuse_law(HERTZ + "pair = 1\n", "law.toml:2:8: pair must be a table")
+        self.refuse_law(HERTZ, "[pair] radius is missing")
+        self.refuse_law(HERTZ + PAIR.replace("3e-3", "-3e-3"), "[pair] radius is -3e-3 m", "(0, inf)")
+        self.refuse_law(linear + "modulus = 1\n", "[pair] smaller_radius is missing", "modulus")
+        self.refuse_law(linear + "stiffness = 1\n" + FORCE, "[pair] young is missing", "without a ratio")
+        self.refuse_law(HERTZ + FORCE + "[pair]\nradius = 1\nyoung = 1\n", "[pair] shear is missing", "Mindlin")
+
+    def test_bodies(self):
+        body = "radius = 1e-3\nyoung = 1e9\npoisson = 0.3\ndensity = 1000\n"
+
+        def refuse(body1, body2, *words):
+            self.refuse_law(f"{HERTZ}[pair.body1]\n{body1}[pair.body2]\n{body2}", *words)
+
+        self.refuse_law(HERTZ + "[pair.body1]\n" + body, "[pair] body2 is missing")
+        self.refuse_law(HERTZ + "[pair]\nradius = 1\n[pair.body1]\n" + body + "[pair.body2]\n" + body, "cannot have 'radius'")
+        refuse(body, body.replace("0.3", "0.7"), "law.toml:10:11: [pair.body2] poisson is 0.7", "(-1, 0.5]")
+        refuse(body, body.replace("poisson = 0.3\n", ""), "law.toml:7:1: [pair.body2] poisson is missing")
+        refuse(body, body.replace("density = 1000\n", ""), "[pair.body2] density is missing")
+        refuse(body, body + "mass = 1\n", "[pair.body2] density is given, but so is mass")
+        refuse(body, body + "plane = true\n", "[pair.body2] radius is given, but a plane has none")
+        refuse(body + "rigid = true\n", body + "rigid = true\n", "one side must deform")
+        refuse(body + "fixed = true\n", body + "fixed = true\n", "one side must be free")
+        refuse(body, body + "colour = 1\n", "no key 'colour'", "radius, young, poisson")
+
+    def test_path_files(self):
+        self.refuse(HERTZ + PAIR, None, "path.csv: cannot be opened")
+        self.refuse_path("", "path.csv: is empty", "dt, overlap, nx")
+        self.refuse_path("# only a remark\n", "path.csv: is empty")
+        self.refuse_path(HEADER, "path.csv:1: has a header but no steps")
+        self.refuse_path(STEP, "path.csv:1:1: the header is missing", "'1e-6'")
+        self.refuse_path("dt;overlap\n1;2\n", "path.csv:1:1: no such column: 'dt;overlap'", "commas")
+        self.refuse_path(HEADER.replace("vz", "v_z") + STEP, "path.csv:1:27: no such column: 'v_z'", "dt, overlap, nx")
+        self.refuse_path(HEADER.replace("vz", "vx") + STEP, "path.csv:1:27: column vx is named twice")
+        self.refuse_path(HEADER.replace(",vz", "") + STEP, "path.csv:1: column vz is missing")
+        self.refuse_path(HEADER + STEP + "\n" + STEP.replace("1e-4", "1e-4x"), "path.csv:4:6: column overlap is '1e-4x'", "number")
+        self.refuse_path(HEADER + STEP.replace("1e-4", "nan"), "path.csv:2:6: column overlap is 'nan'", "(-inf, inf) m")
+        self.refuse_path(HEADER + STEP.replace("1e-4", "inf"), "path.csv:2:6: column overlap is 'inf'")
+        self.refuse_path(HEADER + STEP.replace("1e-4", "0x1"), "path.csv:2:6: column overlap is '0x1'")
+        self.refuse_path(HEADER + STEP.replace("1e-4", "1e999"), "path.csv:2:6: column overlap is 1e999 m", "(-inf, inf)")
+        self.refuse_path(HEADER + STEP.replace("1e-4", ""), "path.csv:2:6: column overlap is ''")
+        self.refuse_path(HEADER + STEP.replace("1e-6", "-1e-6"), "path.csv:2:1: column dt is -1e-6 s", "[0, inf)")
+        self.refuse_path(HEADER + STEP.replace("0,0,1,", "0,0,0,"), "path.csv:2: the normal (nx, ny, nz) is zero")
+        self.refuse_path(HEADER + STEP.replace("\n", ",5\n"), "path.csv:2: 9 cells", "8 columns")
+        self.refuse_path(HEADER + "1e-6\n", "path.csv:2: 1 cells", "8 columns")
+        self.refuse_path(HEADER.replace("\n", ",make_wet\n") + STEP.replace("\n", ",1e-3\n"), "path.csv:2:", "no bridge")
+        self.refuse_path(HEADER + STEP.replace("1e-4", "'" + "9" * 10000), "path.csv:2:6:", "999...'")
+        self.refuse_path(HEADER + STEP.replace("1e-4", "\0"), "path.csv:2:6:", "'?'")
+        self.refuse_path(b"\x89PNG\r\n\x1a\n\0\0\xff", "path.csv:1:1: no such column")
+
+    def test_results_beyond_the_range(self):
+        self.refuse_path(HEADER + STEP.replace("1e-4", "1e300"), "path.csv:2: the force or the energy is out of the range")
+        self.refuse(HERTZ + PAIR, HEADER + STEP.replace("1e-4", "1e39"), "too large for this precision",
+                    arguments=("--precision", "float"))
+        self.refuse(HERTZ + PAIR.replace("14e9", "14e99"), HEADER + STEP, "law.toml:", "too large for this precision",
+                    arguments=("--precision", "float"))
+
+    def test_arguments(self):
+        law, path = self.file("law.toml", HERTZ + PAIR), self.file("path.csv", HEADER + STEP)
+        for arguments in ([], [law], [law, path, "more"], [law, path, "--precision", "half"], [law, path, "--what"]):
+            result = run(*arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
+            self.assertNotEqual(result.stderr, "")
+
+    def test_output(self):
+        law, path = self.file("law.toml", HERTZ + PAIR), self.file("path.csv", HEADER + STEP)
+        bad = self.file("bad.csv", HEADER + STEP + "1\n")
+        kept = self.file("out.csv", "precious")
+
+        def refused(path_file, out, *words):
+            before = sorted(os.listdir(self.directory))
+            result = run(law, path_file, "-o", out)
+            self.assertEqual(result.returncode, 2)
+            for word in words:
+                self.assertIn(word, result.stderr)
+            self.assertEqual(sorted(os.listdir(self.directory)), before)
+
+        refused(bad, kept, "bad.csv:3: 1 cells")
+        self.assertEqual(kept.read_text(), "precious")
+        refused(path, self.directory / "nowhere" / "out.csv", "nowhere/out.csv: cannot be written")
+        refused(path, self.directory, "is not a plain file")
+        refused(path, "/dev/null", "/dev/null: is not a plain file")
+        refused(path, path, "path.csv: is also an input")
+        refused(path, law, "law.toml: is also an input")
+        self.assertEqual(run(law, path, "-o", kept).returncode, 0)
+        self.assertTrue(kept.read_text().startswith("step,"))
+        self.assertEqual(sorted(os.listdir(self.directory)), ["bad.csv", "law.toml", "out.csv", "path.csv"])
+        self.assertEqual(run(law, self.directory).returncode, 2)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_full_disk(self):
+        law, path = self.file("law.toml", HERTZ + PAIR), self.file("path.csv", HEADER + STEP)
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, law, path], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("cannot be written", result.stderr)
+
+
+if __name__ == "__main__":
+    PROGRAM = str(Path(sys.argv.pop(1)).resolve())
+    unittest.main()
