@@ -7,57 +7,20 @@ Numbers are those of the memo's Figures 10 to 17 and 23. Filled lines are comput
 memo's own numbers and formulas.
 """
 
-import csv
-import html
 import sys
 from pathlib import Path
 
-import matplotlib
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from page import COMPUTED, LIGHT, OTHER, PUBLISHED, Results, plt, published_point, save, table, verdict, write_section  # noqa: E402
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
-
-COMPUTED, OTHER, MEMO, WATER = "#1f4e79", "#c0504d", "#7f7f7f", "#5b9bd5"
-plt.rcParams.update({
-    "figure.dpi": 100, "savefig.dpi": 200, "font.size": 9, "axes.titlesize": 9, "axes.titleweight": "bold",
-    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8, "axes.grid": True,
-    "grid.color": "#e6e6e6", "grid.linewidth": 0.6, "axes.axisbelow": True, "lines.linewidth": 1.8,
-    "legend.frameon": False, "legend.fontsize": 8, "mathtext.default": "regular", "figure.constrained_layout.use": True,
-})
+import matplotlib  # noqa: E402
+import numpy as np  # noqa: E402
 
 RADII = 7.5, 5.0  # of the two grains [mm]
 SUCTION_FORCE = 200e3 * np.pi * 5e-3**2  # F_max, Eq. 12 [N]
 
 
-class Results:
-    def __init__(self, directory):
-        self.directory = directory
-        self.memo = {row["id"]: row for row in self.rows("memo")}
-        self.eight_laws = list(self.rows("eight_laws"))
-
-    def rows(self, name):
-        with open(self.directory / f"{name}.csv", newline="") as file:
-            return list(csv.DictReader(file))
-
-    def columns(self, name):
-        table = np.genfromtxt(self.directory / f"{name}.csv", delimiter=",", names=True)
-        return {column: table[column] for column in table.dtype.names}
-
-    def computed(self, identity):
-        return float(self.memo[identity]["computed"])
-
-    def published(self, identity):
-        return float(self.memo[identity]["published"])
-
-
 # Parts of figures ------------------------------------------------------------------------------------------------------
-
-
-def published_point(axes, x, y, text, offset, align="left"):
-    axes.plot([x], [y], "o", markersize=9, markerfacecolor="none", markeredgecolor=MEMO, markeredgewidth=1.6, zorder=5,
-              clip_on=False)
-    axes.annotate(text, (x, y), xytext=offset, textcoords="offset points", ha=align, va="center", color="#404040", fontsize=8)
 
 
 def shaded_ball(colour, size=200):
@@ -89,7 +52,7 @@ def draw_pair(axes, gap, wet, caption, moves=None, top=34):
         z = np.linspace(below - 0.9, below + max(gap, 0) + 1.1, 60)
         middle, half = (z[0] + z[-1]) / 2, (z[-1] - z[0]) / 2
         width = reach * (0.62 + 0.38 * ((z - middle) / half) ** 2)
-        axes.fill_betweenx(z, -width, width, color=WATER, alpha=0.9, linewidth=0, zorder=1)
+        axes.fill_betweenx(z, -width, width, color=LIGHT, alpha=0.9, linewidth=0, zorder=1)
     put_ball(axes, shaded_ball("#8c8477"), 0, 0, below, 2)
     put_ball(axes, shaded_ball("#d9b382"), 0, z_top, above, 3)
     axes.plot([-9, 9], [-below, -below], color="#404040", linewidth=1.2)
@@ -125,7 +88,7 @@ def force_displacement(results, law, name, strength, strength_text):
                label="without a limit ($\\mu$ = 1000)")
     right.plot(start(path, "shear_displacement_m") * 1e6, start(path, "shear_force_N") / 1e3, color=COMPUTED,
                label="with friction ($\\mu$ = 0.4)")
-    right.axhline(strength / 1e3, color=MEMO, linewidth=0.9, zorder=1)
+    right.axhline(strength / 1e3, color=PUBLISHED, linewidth=0.9, zorder=1)
     right.annotate(strength_text, (95, strength / 1e3), xytext=(0, -12), textcoords="offset points", ha="right", color="#404040",
                    fontsize=8)
     published_point(right, 99.0, trial / 1e3, f"memo: {trial / 1e3:.5g} kN", (-12, 0), "right")
@@ -166,7 +129,7 @@ def figure_12(results):
             (same_slope, "hill_force_N", "equal slope", results.published("two_grains.crossover.stiffness_overlap"), (14, -20)),
             (same_force, "hill_force_N", "equal force", results.published("two_grains.crossover.force_overlap"), (-8, -105))):
         y = at(x, column) / 1e6
-        axes.axvline(published * 1e3, color=MEMO, linewidth=0.9, zorder=1)
+        axes.axvline(published * 1e3, color=PUBLISHED, linewidth=0.9, zorder=1)
         axes.plot([x * 1e3], [y], "o", color=COMPUTED, markersize=5)
         axes.annotate(f"{text}\ncomputed {x * 1e3:.3f} mm\nmemo {published * 1e3:.1f} mm", (x * 1e3, y), xytext=place,
                       textcoords="offset points", fontsize=8, va="center", ha="left" if place[0] > 0 else "right",
@@ -225,7 +188,7 @@ def figure_13(results):
     time = path["time_s"] * 1e3
     left.plot(time, path["surface_force_N"], color=OTHER, label="surface force, pushes apart")
     left.plot(time, path["moisture_force_N"], color=COMPUTED, label="moisture force, pulls together")
-    left.axhline(SUCTION_FORCE, color=MEMO, linewidth=0.9, zorder=1)
+    left.axhline(SUCTION_FORCE, color=PUBLISHED, linewidth=0.9, zorder=1)
     left.set(xlabel="time [ms]", ylabel="force [N]", title="Forces come to balance", ylim=(0, None), xlim=(0, 1.5))
     left.annotate("memo: $\\psi \\pi R_o^2$ = 15.708 N", (1.48, SUCTION_FORCE), xytext=(0, -12), textcoords="offset points",
                   ha="right", color="#404040", fontsize=8)
@@ -261,10 +224,10 @@ def figure_15(results):
     draw_pair(drawings[1], 9.9, True, "just before rupture", "up")
     draw_pair(drawings[2], 12, False, "ruptured: no contact", "up")
     gap_over_time(left, path)
-    left.axhline(10, color=MEMO, linewidth=0.9)
+    left.axhline(10, color=PUBLISHED, linewidth=0.9)
     left.annotate("memo: 2 $s_{cr}$ = 2 $R_o$ = 10 mm", (0.2, 10), xytext=(0, 4), textcoords="offset points", fontsize=8, color="#404040")
     force_over_gap(right, path, 12.3)
-    right.axvline(10, color=MEMO, linewidth=0.9, zorder=1)
+    right.axvline(10, color=PUBLISHED, linewidth=0.9, zorder=1)
     right.annotate(f"ruptures at {rupture:.6f} mm", (10, 11), xytext=(-5, 0), textcoords="offset points", fontsize=8, ha="right")
     return figure
 
@@ -277,7 +240,7 @@ def figure_16(results):
     draw_pair(drawings[1], 1.999, True, "stopped at 1.999 mm and wetted")
     draw_pair(drawings[2], 0, True, "released: back in contact")
     gap_over_time(left, path, f"At rest again: an overlap of {back:.3f} µm")
-    left.axhline(2.5, color=MEMO, linewidth=0.9)
+    left.axhline(2.5, color=PUBLISHED, linewidth=0.9)
     left.annotate("memo: moisture gap 2.5 mm", (0.2, 2.5), xytext=(0, 4), textcoords="offset points", fontsize=8, color="#404040")
     force_over_gap(right, path, 12.3, "upper right")
     return figure
@@ -343,7 +306,7 @@ def figure_17(results):
     published = results.published("grain_assembly.bottom_wall_force")
     time = history["time_s"] * 1e3
     force.semilogy(time, np.clip(history["bottom_wall_force_N"], 1e-3, None), color=COMPUTED, linewidth=1.1)
-    force.axhline(published, color=MEMO, linewidth=0.9)
+    force.axhline(published, color=PUBLISHED, linewidth=0.9)
     force.set(xlabel="time [ms]", ylabel="force on the bottom wall [N]", ylim=(1e-2, 1e3), xlim=(80, time[-1]),
               title="Impacts, then the weight alone")
     force.annotate(f"memo: {published:.3f} N\ncomputed: {results.computed('grain_assembly.bottom_wall_force'):.9f} N", (0.97, 0.88),
@@ -386,25 +349,11 @@ FIGURES = [
 ]
 
 
-# The page --------------------------------------------------------------------------------------------------------------
-
-PAGE = """<!doctype html>
-<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>Hill memo, computed by contactlaws</title>
-<style>
-  body {{ font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }}
-  h1 {{ font-size: 1.5rem; }} h2 {{ font-size: 1.15rem; margin-top: 2.2rem; }}
-  table {{ border-collapse: collapse; font-size: .86rem; width: 100%; }}
-  th, td {{ padding: .22rem .6rem; border-bottom: 1px solid #e4e4e4; text-align: right; font-variant-numeric: tabular-nums; }}
-  th:first-child, td:first-child {{ text-align: left; }} th {{ border-bottom: 2px solid #999; }}
-  .yes {{ color: #2e7d32; }} .no {{ color: #c62828; font-weight: bold; }}
-  figure {{ margin: 2rem 0; }} figcaption {{ color: #444; }} img {{ max-width: 100%; height: auto; }}
-</style>
-<h1>Hill memo, computed by contactlaws</h1>
+SECTION = """<h1>Hill memo</h1>
 <p>The test problems of D. Potyondy, <i>Hill Contact Model [version 4]</i> (2019), run through the integrator of
 <code>examples/dem</code>. <b>Published</b> is what the memo prints, <b>expected</b> the closed form, <b>error</b> that of computed
 against expected.</p>
-<p><b>{verdict}</b></p>
+{verdict}
 {memo}
 <h2>Figures</h2>
 <p>Filled lines are computed; open circles and grey lines are the memo's numbers and formulas.</p>
@@ -413,37 +362,15 @@ against expected.</p>
 <p>Pressed by 0.1 mm, sheared by 99.0 µm round the lower grain, backed off to half the overlap, pressed again. All four laws go by
 the name of Hertz-Mindlin. Published: LAMMPS, with mindlin/force, mindlin_rescale/force, mindlin, mindlin_rescale.</p>
 {eight_laws}
-</html>
 """
 
 
-def table(rows):
-    lines = ["<table><tr><th>id</th><th>published</th><th>expected</th><th>computed</th><th>unit</th><th>error</th><th>allowed</th><th></th></tr>"]
-    for row in rows:
-        published = f"{float(row['published']):.9g}" if row["published"] else "–"
-        mark = "✓" if row["pass"] == "yes" else "✗"
-        lines.append(f"<tr><td>{html.escape(row['id'])}</td><td>{published}</td><td>{float(row['expected']):.12g}</td>"
-                     f"<td>{float(row['computed']):.12g}</td><td>{row['unit'] if row['unit'] != '1' else ''}</td>"
-                     f"<td>{float(row['relative_error']):.0e}</td><td>{float(row['tolerance']):.0e}</td>"
-                     f"<td class=\"{row['pass']}\">{mark}</td></tr>")
-    return "\n".join(lines + ["</table>"])
-
-
 def main():
-    results = Results(Path(sys.argv[1] if len(sys.argv) > 1 else "build/results"))
-    shown = []
-    for number, draw, caption in FIGURES:
-        figure = draw(results)
-        figure.savefig(results.directory / f"figure_{number}.png")
-        plt.close(figure)
-        shown.append(f'<figure id="figure_{number}"><img src="figure_{number}.png" alt="{html.escape(caption)}">'
-                     f"<figcaption><b>Figure {number}.</b> {html.escape(caption)}</figcaption></figure>")
-    rows = list(results.memo.values())
-    wrong = sum(row["pass"] != "yes" for row in rows + results.eight_laws)
-    verdict = "All numbers are right." if wrong == 0 else f"{wrong} numbers are wrong."
-    page = PAGE.format(verdict=verdict, memo=table(rows), eight_laws=table(results.eight_laws), figures="\n".join(shown))
-    (results.directory / "index.html").write_text(page, encoding="utf-8")
-    print(f"figures and {results.directory / 'index.html'}")
+    results = Results(sys.argv[1] if len(sys.argv) > 1 else "build/results", "memo")
+    rows, eight_laws = list(results.by_id.values()), results.rows("eight_laws")
+    shown = [save(draw(results), results.directory, f"figure_{number}", f"Figure {number}", caption) for number, draw, caption in FIGURES]
+    text = SECTION.format(verdict=verdict(rows + eight_laws), memo=table(rows), eight_laws=table(eight_laws), figures="\n".join(shown))
+    write_section(results.directory, "memo", text)
 
 
 if __name__ == "__main__":

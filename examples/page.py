@@ -1,0 +1,102 @@
+"""What the figure scripts of the examples share: how figures look, reading results, and the page that shows them all.
+
+Each script writes its own section; build/results/index.html is put together from the sections that are there.
+"""
+
+import csv
+import html
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+COMPUTED, OTHER, PUBLISHED, LIGHT = "#1f4e79", "#c0504d", "#7f7f7f", "#5b9bd5"
+plt.rcParams.update({
+    "figure.dpi": 100, "savefig.dpi": 200, "font.size": 9, "axes.titlesize": 9, "axes.titleweight": "bold",
+    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8, "axes.grid": True,
+    "grid.color": "#e6e6e6", "grid.linewidth": 0.6, "axes.axisbelow": True, "lines.linewidth": 1.8,
+    "legend.frameon": False, "legend.fontsize": 8, "mathtext.default": "regular", "figure.constrained_layout.use": True,
+})
+
+SECTIONS = ["memo", "ballast"]  # in the order of the page
+
+PAGE = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>Published problems, computed by contactlaws</title>
+<style>
+  body {{ font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }}
+  h1 {{ font-size: 1.5rem; margin-top: 3rem; }} h2 {{ font-size: 1.15rem; margin-top: 2.2rem; }}
+  table {{ border-collapse: collapse; font-size: .86rem; width: 100%; }}
+  th, td {{ padding: .22rem .6rem; border-bottom: 1px solid #e4e4e4; text-align: right; font-variant-numeric: tabular-nums; }}
+  th:first-child, td:first-child {{ text-align: left; }} th {{ border-bottom: 2px solid #999; }}
+  .yes {{ color: #2e7d32; }} .no {{ color: #c62828; font-weight: bold; }}
+  figure {{ margin: 2rem 0; }} figcaption {{ color: #444; }} img {{ max-width: 100%; height: auto; }}
+</style>
+{sections}
+</html>
+"""
+
+
+class Results:
+    """The files of one example in a directory: `<name>.csv` holds its rows, others hold curves."""
+
+    def __init__(self, directory, name):
+        self.directory = Path(directory)
+        self.by_id = {row["id"]: row for row in self.rows(name)}
+
+    def rows(self, name):
+        with open(self.directory / f"{name}.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def columns(self, name):
+        table = np.genfromtxt(self.directory / f"{name}.csv", delimiter=",", names=True)
+        return {column: table[column] for column in table.dtype.names}
+
+    def computed(self, identity):
+        return float(self.by_id[identity]["computed"])
+
+    def published(self, identity):
+        return float(self.by_id[identity]["published"])
+
+
+def published_point(axes, x, y, text, offset, align="left"):
+    axes.plot([x], [y], "o", markersize=9, markerfacecolor="none", markeredgecolor=PUBLISHED, markeredgewidth=1.6, zorder=5,
+              clip_on=False)
+    axes.annotate(text, (x, y), xytext=offset, textcoords="offset points", ha=align, va="center", color="#404040", fontsize=8)
+
+
+def table(rows):
+    lines = ["<table><tr><th>id</th><th>published</th><th>expected</th><th>computed</th><th>unit</th><th>error</th><th>allowed</th><th></th></tr>"]
+    for row in rows:
+        published = f"{float(row['published']):.9g}" if row["published"] else "–"
+        mark = "✓" if row["pass"] == "yes" else "✗"
+        lines.append(f"<tr><td>{html.escape(row['id'])}</td><td>{published}</td><td>{float(row['expected']):.12g}</td>"
+                     f"<td>{float(row['computed']):.12g}</td><td>{row['unit'] if row['unit'] != '1' else ''}</td>"
+                     f"<td>{float(row['relative_error']):.0e}</td><td>{float(row['tolerance']):.0e}</td>"
+                     f"<td class=\"{row['pass']}\">{mark}</td></tr>")
+    return "\n".join(lines + ["</table>"])
+
+
+def verdict(rows):
+    wrong = sum(row["pass"] != "yes" for row in rows)
+    return f"<p><b>{'All numbers are right.' if wrong == 0 else f'{wrong} numbers are wrong.'}</b></p>"
+
+
+def save(figure, directory, name, label, caption):
+    """Writes the figure; returns it as a piece of the page."""
+    figure.savefig(directory / f"{name}.png")
+    plt.close(figure)
+    return (f'<figure id="{name}"><img src="{name}.png" alt="{html.escape(caption)}">'
+            f"<figcaption><b>{label}.</b> {html.escape(caption)}</figcaption></figure>")
+
+
+def write_section(directory, name, text):
+    """Writes or renews one section, and with it the page."""
+    (directory / f"{name}_section.html").write_text(text, encoding="utf-8")
+    files = [directory / f"{section}_section.html" for section in SECTIONS]
+    sections = "\n".join(file.read_text(encoding="utf-8") for file in files if file.exists())
+    (directory / "index.html").write_text(PAGE.format(sections=sections), encoding="utf-8")
+    print(f"figures and {directory / 'index.html'}")
