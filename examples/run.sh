@@ -14,10 +14,12 @@ cmake --build build/examples -j "$(nproc)"
 build/examples/bin/first_contact
 wrong=0
 build/examples/bin/memo build/results || wrong=$?
+build/examples/bin/contact_curves build/results || wrong=$?
 
 # The first Python that has matplotlib: Debian's package serves /usr/bin/python3, which need not be the first on the path.
 for python in python3 /usr/bin/python3; do
   if "$python" -c 'import matplotlib' 2>/dev/null; then break; fi
 done
 "$python" examples/memo/figures.py build/results
+"$python" examples/ballast/figures.py build/results
 exit $wrong
