@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which balls are near each other, in a time that grows with their number and not with its square.
 //
-// Space is cut into rows along x, one smallest diameter wide in y and z; balls are sorted by row, and along x within it.
-// Each ball then sweeps the rows that it can reach for balls no larger than itself. So a small ball looks at 3 x 3 rows,
-// and the few large ones at more: sizes may differ by any ratio, and empty space costs nothing.
+// Space is cut into rows along x; balls are sorted by row, and along x within it. Each ball then sweeps the rows that it can
+// reach for balls no larger than itself. Rows are about as wide as a usual ball reaches, so most look at 3 x 3 rows, and the
+// few large ones at more: sizes may differ by a hundred, and empty space costs nothing.
 #pragma once
 
 #include <algorithm>
@@ -50,8 +50,8 @@ inline std::vector<Pair> find_neighbours(const std::vector<Vec3>& position, cons
 
   // Farthest that ball i can see the centre of a ball no larger than itself.
   const auto sight = [&](std::size_t i) { return 2.0 * radius[i] + reach[i]; };
-  double width = sight(0);
-  for (std::size_t i = 1; i < count; ++i) width = std::min(width, sight(i));
+  double width = 0.0;
+  for (std::size_t i = 0; i < count; ++i) width += sight(i) / static_cast<double>(count);
   const auto row_of = [width](double coordinate) { return std::floor(coordinate / width); };
 
   std::vector<RowEntry> rows(count);
@@ -64,9 +64,10 @@ inline std::vector<Pair> find_neighbours(const std::vector<Vec3>& position, cons
   std::sort(rows.begin(), rows.end());
 
   std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (const RowEntry& entry : rows) {
+    const int id = entry.ball;
+    const auto i = static_cast<std::size_t>(id);
     const Vec3& p = position[i];
-    const int id = static_cast<int>(i);
     const double far = sight(i);
     const double low_y = row_of(p.y() - far), low_z = row_of(p.z() - far);
     const int rows_y = static_cast<int>(row_of(p.y() + far) - low_y),

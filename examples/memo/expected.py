@@ -86,5 +86,5 @@ namespace memo::expected {
 """
 )
 for name, value, unit, source in VALUES:
-    print(f"constexpr double {name} = {value:.17g};  ///< [{unit}] {source}")
+    print(f"/// [{unit}] {source}\nconstexpr double {name} = {value:.17g};")
 print("\n}  // namespace memo::expected")

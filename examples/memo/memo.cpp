@@ -32,7 +32,12 @@ int run(const std::string& directory) {
   {
     dem::Progress progress("the memo's problems");
     for (std::size_t i = 0; i < problems.size() && !dem::stop_requested(); ++i) {
+      const auto rows_before = rows, laws_before = laws;
       problems[i]();
+      if (dem::stop_requested()) {  // what a problem yields that was stopped midway is not its result
+        rows = rows_before;
+        laws = laws_before;
+      }
       progress.at(static_cast<double>(i + 1) / static_cast<double>(problems.size()));
     }
   }
