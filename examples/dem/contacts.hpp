@@ -87,9 +87,10 @@ void warn_of_overlaps(const Contacts<Law>& contacts, const char* first_kind, std
   }
 }
 
-/// A motion measured half a step ago, between positions, brought to the contact plane of now. `centres` is the velocity of
-/// centre 2 relative to centre 1 [m/s], `distance` theirs [m]. Without this turn a part of the normal velocity would pass
-/// for sliding, and small grains would stick to large ones (Vyas et al. 2025, doi 10.1016/j.cpc.2025.109524).
+/// A motion measured half a step ago, between positions, brought to the contact plane of now: turned as the normal turned
+/// since. `centres` is the velocity of centre 2 relative to centre 1 [m/s], `distance` theirs [m]. Unturned, a part of the
+/// normal velocity would pass for sliding, and in a grain that vibrates at a slant it adds up. (Vyas et al. 2025, doi
+/// 10.1016/j.cpc.2025.109524, trace small grains that stick to large ones to that.)
 inline contactlaws::ContactKinematics<double> at_full_step(contactlaws::ContactKinematics<double> motion,
                                                            const Vec3& centres, double distance) {
   const Vec3& n = motion.normal;

@@ -40,8 +40,7 @@ class Simulation {
   Contacts<WallLaw> wall_contacts;
   double time = 0.0;       ///< [s]
   std::int64_t steps = 0;  ///< taken so far
-  double last_step =
-      0.0;  ///< [s]; 0 at first: a scene starts from the velocities of its start, not of half a step before
+  double last_step = 0.0;  ///< [s]; 0 before the first: velocities are then those of the start, not half a step older
 
   Simulation(const BallLaw& between_balls, const WallLaw& at_walls)
       : ball_law(contactlaws::checked(between_balls)), wall_law(contactlaws::checked(at_walls)) {}
