@@ -160,7 +160,7 @@ void write_trade(const std::string& directory) {
 }
 
 /// A million cycles up to 20 um: what the peak force becomes, where each cycle parts the bodies, and where it turns at 1 N
-/// as the experiments behind the paper did. Increments take 50 steps up, 50 down; the closed form needs one.
+/// as the experiments behind the paper did. Increments take 25 steps up, 25 down; the closed form needs one.
 void write_ratchet(const std::string& directory) {
   const Plastic closed = Plastic::of(surface);
   const Increments increments = Increments::of(surface, 1e-12);
@@ -175,7 +175,7 @@ void write_ratchet(const std::string& directory) {
   std::array<double, 3> first{}, last{};
   long next = 1;
   for (long cycle = 1; cycle <= 1000000; ++cycle) {
-    constexpr int steps = 50;
+    constexpr int steps = 25;
     const bool begins = cycle == 1;
     last = {move(closed, closed_apart, 0.0, peak, 1), move(increments, apart, 0.0, peak, steps),
             move(increments, held, begins ? 0.0 : at_1N, peak, steps)};

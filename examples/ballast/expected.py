@@ -45,5 +45,5 @@ namespace ballast::expected {
 """
 )
 for name, value, unit, source in VALUES:
-    print(f"constexpr double {name} = {mp.nstr(value, 17)};  ///< [{unit}] {source}")
+    print(f"/// [{unit}] {source}\nconstexpr double {name} = {mp.nstr(value, 17)};")
 print("\n}  // namespace ballast::expected")

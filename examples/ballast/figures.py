@@ -117,7 +117,7 @@ def figure_ratchet(results):
         change = "" if first == last else f": {100 * (last / first - 1):+.0f} %"
         axes.annotate(text + change, (cycles["cycle"][-1], last), xytext=place, textcoords="offset points", fontsize=8, color=colour, ha="right",
                       va="center")
-    axes.set(xlabel="cycle", ylabel="peak force at 20 µm [N]", xlim=(1, 1e6), ylim=(0, 215), title="A million cycles to 20 µm (increments: 50 steps up, 50 down)")
+    axes.set(xlabel="cycle", ylabel="peak force at 20 µm [N]", xlim=(1, 1e6), ylim=(0, 215), title="A million cycles to 20 µm (increments: 25 steps up, 25 down)")
     return figure
 
 
