@@ -22,4 +22,13 @@ for python in python3 /usr/bin/python3; do
 done
 "$python" examples/memo/figures.py build/results
 "$python" examples/ballast/figures.py build/results
+
+example=examples/contact_path
+mkdir -p build/results/contact_path
+for name in memo_hill:stage_b ballast:ballast_cycles oblique_impact:oblique_impact rotating_pair:rotating_pair; do
+  path=$example/paths/${name#*:}.csv
+  out=build/results/contact_path/${name%:*}.csv
+  build/examples/bin/contact_path "$example/laws/${name%:*}.toml" "$path" -o "$out"
+  "$python" $example/plot_path.py "$out" --path "$path"
+done
 exit $wrong
