@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("Batch and scalar kernel give the same bits", "", SmoothHertz
                    Turning, Projected) {
   using T = typename TestType::Scalar;
   const TestType law = bench::granite<typename TestType::template Rebind<double>>().template cast<T>();
-  const std::size_t count = GENERATE(0, 1, 2, 7, 8, 9, 16, 31, 100);
+  const auto count = static_cast<std::size_t>(GENERATE(0, 1, 2, 7, 8, 9, 16, 31, 100));
   Host<TestType> batched(mixed(count)), single(mixed(count));
   for (int pass = 0; pass < 5; ++pass) {
     evaluate(law, batched.batch(T(1e-7)));
