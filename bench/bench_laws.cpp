@@ -53,7 +53,6 @@ void add(const char* name, const Law& law, const Mix& mix = {}) {
 template <class Shear>
 using Damped = ContactLaw<Hertz<double>, Dashpots<double>, Shear>;
 using Mi = Mindlin<double>;
-using FastRough = PohrtPopovElastoPlastic<double, Recontact::same_spot, Power::fast>;
 
 }  // namespace
 
@@ -65,8 +64,6 @@ int main(int argc, char** argv) {
   add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.0, 0.0, 1e-4});
   add("Hill", granite<Hill<double>>(), {0.05, 0.05, 0.5});
   add("RoughBallast", granite<RoughBallast<double>>());
-  add("RoughBallast/normal", granite<ContactLaw<PohrtPopovElastoPlastic<double>>>());
-  add("RoughBallast/normal/fast", granite<ContactLaw<FastRough>>());
   add("Hertz+Dashpots", granite<ContactLaw<Hertz<double>, Dashpots<double>>>());
   add("Hertz+ShearForce", granite<ContactLaw<Hertz<double>, NoDashpots<double>, ShearForce<double>>>());
   add("DryHill/clipped", granite<DryHill<double, Tension::clipped>>());
