@@ -129,7 +129,7 @@ FIGURES = [
      "step to what the seed leaves (dips are changes of sign). The closed form has neither step nor seed. (A step of increments raises three powers: one for the "
      "force, two for the stiffnesses that it reports.)"),
     ("ballast_ratchet", "Ratchet", figure_ratchet, "Cut off at zero force, increments begin each reloading at once, where flattened surfaces are still apart; "
-     "so each cycle hardens the contact: in seven to nearly Hertz's. The closed form reopens and closes at the plastic overlap."),
+     "so each cycle hardens the contact, within seven to several times the force. The closed form reopens and closes at the plastic overlap."),
 ]
 
 SECTION = """<h1>Railway ballast</h1>
