@@ -211,7 +211,7 @@ TEMPLATE_LIST_TEST_CASE("the frame of the observer does not matter", "", Scalars
       const Moment<Law> m = random_moment(law, random);
       const auto step = law.step(m.pair, m.kinematics, m.state);
       const Eigen::Matrix<T, 3, 3> rotation = random_rotation<T>(random);
-      const auto turn_vectors = [&rotation](typename Law::State state) {
+      const auto turn_vectors = [&](typename Law::State state) {
         if constexpr (Law::state_size >= 3) {
           T* const values = values_of<Law>(state);
           for (std::size_t j = 0; j + 2 < Law::state_size; ++j) {

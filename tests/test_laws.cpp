@@ -69,21 +69,21 @@ struct MemoHill {
       f_n = k_n * std::pow(o, 1.5L) - alpha_n * std::pow(o, 0.25L) * v_n;  // (13)
       const long double strength = mu * std::max(f_n, 0.0L);               // (14)
       const long double length = std::sqrt(inner(shear, shear)), out = inner(shear, n);
-      for (int i = 0; i < 3; ++i) shear[i] -= out * n[i];
+      for (std::size_t i = 0; i < 3; ++i) shear[i] -= out * n[i];
       const long double projected = std::sqrt(inner(shear, shear));
       Vector v_s;
-      for (int i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < 3; ++i) {
         if (projected > 0) shear[i] *= length / projected;
         v_s[i] = v[i] - v_n * n[i];
         shear[i] -= k_s * std::sqrt(o) * v_s[i] * dt;  // (15)
       }
       limit(shear, strength, slips);                                                          // (16)
-      for (int i = 0; i < 3; ++i) f_s[i] = shear[i] - alpha_s * std::pow(o, 0.25L) * v_s[i];  // (17)
+      for (std::size_t i = 0; i < 3; ++i) f_s[i] = shear[i] - alpha_s * std::pow(o, 0.25L) * v_s[i];  // (17)
       limit(f_s, strength, slips);                                                            // (18)
     } else {
       shear = {0, 0, 0};
     }
-    for (int i = 0; i < 3; ++i) f_s[i] += (f_n - f_m) * n[i];
+    for (std::size_t i = 0; i < 3; ++i) f_s[i] += (f_n - f_m) * n[i];
     return f_s;
   }
 };
