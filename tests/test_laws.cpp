@@ -77,9 +77,9 @@ struct MemoHill {
         v_s[i] = v[i] - v_n * n[i];
         shear[i] -= k_s * std::sqrt(o) * v_s[i] * dt;  // (15)
       }
-      limit(shear, strength, slips);                                                          // (16)
+      limit(shear, strength, slips);                                                                  // (16)
       for (std::size_t i = 0; i < 3; ++i) f_s[i] = shear[i] - alpha_s * std::pow(o, 0.25L) * v_s[i];  // (17)
-      limit(f_s, strength, slips);                                                            // (18)
+      limit(f_s, strength, slips);                                                                    // (18)
     } else {
       shear = {0, 0, 0};
     }
