@@ -72,6 +72,15 @@ TEST_CASE("Energy: closed loops of the four shear histories, in closed form") {
   CHECK(gain<ShearDisplacementRescaled<double>>(shallow, deep, slip) == is(stored * (1 - k)));
 }
 
+TEMPLATE_TEST_CASE("Energy: sticking shear stores k S^2/2, whatever is remembered", "", ShearForce<double>,
+                   ShearForceRescaled<double>, ShearDisplacement<double>, ShearDisplacementRescaled<double>) {
+  Booked<TestType> contact(1e6);
+  contact.move(1e-4, 0.0);
+  const double normal = contact.ledger.stored;
+  contact.move(1e-4, 1e-6);
+  CHECK(contact.ledger.stored - normal == Approx(1.49320368203524e7 * 1e-12 / 2).epsilon(1e-7));  // of 4e-3 J, 1e-16
+}
+
 TEMPLATE_TEST_CASE("Energy: over random closed loops", "", ShearForce<double>, ShearForceRescaled<double>,
                    ShearDisplacement<double>, ShearDisplacementRescaled<double>) {
   Random random;
