@@ -58,6 +58,14 @@ Scene rushing_cloud(const std::vector<Ball>& balls, double edge) {
   return scene;
 }
 
+/// Wets contact number 0 between balls.
+template <class WetScene>
+void make_wet(WetScene& scene) {
+  Hill<double>::State state = scene.ball_contacts.state(0);
+  Hill<double>::make_wet(state, 0.0, 0.0);
+  scene.ball_contacts.set_state(0, state);
+}
+
 std::set<std::pair<int, int>> near_by_brute_force(const std::vector<V>& x, const std::vector<double>& radius,
                                                   const std::vector<double>& reach) {
   std::set<std::pair<int, int>> pairs;
@@ -115,7 +123,7 @@ TEST_CASE("no contact is missed in motion, and none outlives its reach") {
     scene.step();
     std::set<std::pair<int, int>> active;
     for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c)
-      if (scene.ball_contacts.response[c].active)
+      if (scene.ball_contact(c).response.active)
         active.insert({scene.ball_contacts.bodies[c].first, scene.ball_contacts.bodies[c].second});
     touches += static_cast<int>(active.size());
     REQUIRE(active == near_by_brute_force(scene.balls.position, scene.balls.radius,
@@ -148,13 +156,13 @@ TEST_CASE("a bridge is remembered across listings until its range ends, then for
   const int top = scene.add(Ball{sphere(granite, 5e-3), {0.0, 0.0, 12.5e-3}, V::Zero(), V::Zero(), false});
   scene.skin = 1e-6;
   scene.start();
-  Hill<double>::make_wet(scene.ball_contacts.state[0], 0.0, 0.0);
+  make_wet(scene);
   scene.drive(top, V::UnitZ());
   scene.time_step = 1e-5;
   for (int step = 1; step < 1000; ++step) {
     scene.step();
     const double expected = 200e3 * pi<double>() * 25e-6 * std::exp(-step * 1e-5 / 10e-3);
-    REQUIRE(scene.ball_contacts.response.at(0).attraction == Approx(expected).epsilon(1e-9));
+    REQUIRE(scene.ball_contact(0).response.attraction == Approx(expected).epsilon(1e-9));
   }
   for (int step = 0; step < 10; ++step) scene.step();
   CHECK(scene.ball_contacts.size() == 0);
@@ -163,13 +171,13 @@ TEST_CASE("a bridge is remembered across listings until its range ends, then for
   scene.drive(top, -V::UnitZ());
   for (int step = 0; step < 10; ++step) scene.step();
   REQUIRE(scene.ball_contacts.size() == 1);
-  CHECK(scene.ball_contacts.state[0].moisture == 0.0);  // a new contact, dry
-  CHECK_FALSE(scene.ball_contacts.response[0].active);
-  Hill<double>::make_wet(scene.ball_contacts.state[0], 0.0, 0.0);
+  CHECK(scene.ball_contacts.state(0).moisture == 0.0);  // a new contact, dry
+  CHECK_FALSE(scene.ball_contact(0).response.active);
+  make_wet(scene);
   scene.drive(top, V::UnitZ());
   for (int step = 0; step < 20; ++step) scene.step();
   REQUIRE(scene.ball_contacts.size() == 1);             // still listed
-  CHECK(scene.ball_contacts.state[0].moisture == 0.0);  // but forgotten, not "dry after rupture"
+  CHECK(scene.ball_contacts.state(0).moisture == 0.0);  // but forgotten, not "dry after rupture"
 }
 
 TEST_CASE("setting up moves no history and no body") {
@@ -183,8 +191,8 @@ TEST_CASE("setting up moves no history and no body") {
   }
   CHECK(scene.time == 0.0);
   for (std::size_t b = 0; b < before.balls.size(); ++b) CHECK(scene.balls.position[b] == before.balls.position[b]);
-  for (const auto& state : scene.wall_contacts.state)
-    CHECK(V(state.shear[0], state.shear[1], state.shear[2]) == V::Zero());
+  for (std::size_t c = 0; c < scene.wall_contacts.size(); ++c)
+    CHECK(scene.wall_contacts.state(c).shear == std::array<double, 3>{});
 }
 
 TEST_CASE("a saved scene goes on bit for bit") {
@@ -192,8 +200,9 @@ TEST_CASE("a saved scene goes on bit for bit") {
   const std::vector<Ball> balls = cloud(random, 40, 0.04, 2.0);
   Scene scene = rushing_cloud(balls, 0.04);
   const auto slides_on_a_wall = [&scene] {
-    return std::any_of(scene.wall_contacts.state.begin(), scene.wall_contacts.state.end(),
-                       [](const auto& state) { return state.shear[0] != 0.0 || state.shear[1] != 0.0; });
+    for (std::size_t c = 0; c < scene.wall_contacts.size(); ++c)
+      if (scene.wall_contacts.state(c).shear != std::array<double, 3>{}) return true;
+    return false;
   };
   while (scene.steps < 1500 || !slides_on_a_wall()) scene.step();
   const std::string file = (std::filesystem::temp_directory_path() / "contactlaws_test_checkpoint.json").string();
@@ -227,9 +236,9 @@ TEST_CASE("forces and moments balance") {
       size += scene.balls.force[b].norm();
     }
     for (std::size_t c = 0; c < scene.wall_contacts.size(); ++c) {
-      if (!scene.wall_contacts.response[c].active) continue;
-      const V at = scene.balls.position[scene.wall_contacts.second(c)] + scene.wall_contacts.geometry[c].arm2;
-      moment -= at.cross(scene.wall_contacts.response[c].force);
+      if (!scene.wall_contact(c).response.active) continue;
+      const V at = scene.balls.position[scene.wall_contacts.second(c)] + scene.wall_contact(c).geometry.arm2;
+      moment -= at.cross(scene.wall_contact(c).response.force);
     }
     CHECK(force.norm() <= 1e-14 * size);
     CHECK(moment.norm() <= 1e-14 * 0.05 * size);  // the two arms of a contact end in one point
@@ -281,7 +290,7 @@ TEST_CASE("shear does not creep while a grain vibrates at a slant") {
     const V target = start + line * (amplitude * std::sin(2 * pi<double>() * step / steps));
     scene.drive(top, (target - scene.balls.position[1]) / scene.time_step);
     scene.step();
-    const V force = scene.ball_contacts.response[0].force;
+    const V force = scene.ball_contact(0).response.force;
     largest = std::max(largest, std::abs(force.x()));
     crept = force.x();
   }
@@ -399,10 +408,10 @@ TEST_CASE("the unbalanced ratio weighs forces and moments against what presses a
   scene.gravity = {0.0, 0.0, -9.81};
   scene.time_step = 1e-9;
   scene.start();
-  Hill<double>::make_wet(scene.ball_contacts.state[0], 0.0, 0.0);
+  make_wet(scene);
   scene.step();
-  const auto& pair = scene.ball_contacts.response[0];
-  const double at_wall = scene.wall_contacts.response[0].surface;
+  const auto& pair = scene.ball_contact(0).response;
+  const double at_wall = scene.wall_contact(0).response.surface;
   const auto unbalanced = [&scene](std::size_t b) {
     const V force = scene.balls.force[b] + scene.balls.mass[b] * scene.gravity;
     return force.norm() + scene.balls.moment[b].norm() / scene.balls.radius[b];
@@ -515,7 +524,7 @@ TEST_CASE("grains that start too deep in each other are named") {
 TEST_CASE("VTK files hold what the scene holds") {
   Random random(29);
   Scene scene = rushing_cloud(cloud(random, 30, 0.04, 2.0), 0.04);
-  while (scene.ball_contacts.size() == 0 || !scene.ball_contacts.response[0].active) scene.step();
+  while (scene.ball_contacts.size() == 0 || !scene.ball_contact(0).response.active) scene.step();
   const auto file = (std::filesystem::temp_directory_path() / "contactlaws_test.vtk").string();
   const auto words_after = [&file](const std::string& keyword) {
     std::ifstream in(file);
@@ -536,9 +545,9 @@ TEST_CASE("VTK files hold what the scene holds") {
   force >> word >> number;
   CHECK(number == scene.balls.force[0].x());
 
-  dem::write_contacts_vtk(file, scene.balls, scene.ball_contacts);
+  dem::write_contacts_vtk(file, scene);
   auto normal_force = words_after("normal_force");
   normal_force >> word >> word >> word >> word >> number;
-  CHECK(number == scene.ball_contacts.response[0].force.dot(scene.ball_contacts.geometry[0].normal));
+  CHECK(number == scene.ball_contact(0).response.force.dot(scene.ball_contact(0).geometry.normal));
   std::filesystem::remove(file);
 }

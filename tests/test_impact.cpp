@@ -25,15 +25,16 @@ struct Impact {
 
 /// Steps from touch until contact number 0 opens. Extremes by a parabola, the end by a straight line between the steps, so
 /// that all are exact to the square of the step, or better.
-template <class Scene, class Contacts>
-Impact watch(Scene& scene, const Contacts& contacts) {
+template <class Scene>
+Impact watch(Scene& scene) {
   double before = 0.0, last = 0.0, deepest = 0.0, force = 0.0;
   for (;;) {
     scene.step();
-    const double overlap = contacts.geometry.at(0).overlap;
+    const auto contact = scene.walls.empty() ? scene.ball_contact(0) : scene.wall_contact(0);
+    const double overlap = contact.geometry.overlap;
     if (overlap < last && last > before)
       deepest = last + (overlap - before) * (overlap - before) / (16 * last - 8 * (overlap + before));
-    force = std::max(force, contacts.response[0].surface);
+    force = std::max(force, contact.response.surface);
     if (overlap <= 0.0) return {deepest, force, scene.time - scene.time_step * overlap / (overlap - last)};
     before = last;
     last = overlap;
@@ -52,8 +53,8 @@ double rebound(const Law& law, const ElasticMaterial<double>& material, double r
   double overlap = 0.0, force = 0.0;
   for (;;) {
     scene.step();
-    if (scene.wall_contacts.geometry[0].overlap <= 0.0) break;
-    overlap = scene.wall_contacts.geometry[0].overlap;
+    if (scene.wall_contact(0).geometry.overlap <= 0.0) break;
+    overlap = scene.wall_contact(0).geometry.overlap;
     force = scene.balls.force[0].z();
   }
   // The last force acted for a whole step, from half a step before its overlap; contact ended at overlap/velocity after.
@@ -70,7 +71,7 @@ TEST_CASE("H2, H3: two glass spheres at +-10 m/s") {
   scene.add(Ball{sphere(glass, radius), {-radius, 0.0, 0.0}, {10.0, 0.0, 0.0}});
   scene.add(Ball{sphere(glass, radius), {radius, 0.0, 0.0}, {-10.0, 0.0, 0.0}});
   scene.time_step = 2e-9;
-  const Impact impact = watch(scene, scene.ball_contacts);
+  const Impact impact = watch(scene);
   CHECK(impact.deepest == Approx(274.1127e-6).epsilon(2e-7));  // digits printed
   CHECK(impact.force == Approx(10.696889e3).epsilon(2e-7));
   CHECK(impact.duration == Approx(40.33945e-6).epsilon(2e-7));
@@ -86,7 +87,7 @@ TEST_CASE("H3: an aluminium sphere on a rigid plane at 0.2 m/s") {
   scene.add(dem::Wall{plane(aluminium).rigid(), V::Zero(), V::UnitZ()});
   scene.add(Ball{sphere(aluminium, radius), {0.0, 0.0, radius}, {0.0, 0.0, -0.2}});
   scene.time_step = 5e-8;
-  const Impact impact = watch(scene, scene.wall_contacts);
+  const Impact impact = watch(scene);
   CHECK(impact.deepest == Approx(49.71718e-6).epsilon(2e-7));  // digits printed
   CHECK(impact.force == Approx(11.369858e3).epsilon(2e-7));
   CHECK(impact.duration == Approx(731.6566e-6).epsilon(2e-7));
@@ -144,7 +145,7 @@ TEST_CASE("S1: gross sliding on a wall loses mu (1 + e) v_n of tangential veloci
     };
     const double before = kinetic();
     do scene.step();
-    while (scene.wall_contacts.geometry[0].overlap > 0.0);
+    while (scene.wall_contact(0).geometry.overlap > 0.0);
     const V after = scene.balls.velocity[0];
     CHECK(after.z() == Approx(c.restitution * vn).epsilon(1e-4));                  // damping is first order in the step
     CHECK(after.x() == Approx(vt - c.friction * (vn + after.z())).epsilon(1e-6));  // sliding throughout
@@ -173,12 +174,12 @@ TEST_CASE("S2: a sliding ball slows by mu g until it rolls at 5/7 of its speed")
   while (scene.time < 0.9 * rolls_at) scene.step();
   const double sliding_for = scene.time - scene.time_step / 2;  // velocities are half a step old
   CHECK(scene.balls.velocity[0].x() == Approx(speed - friction * gravity * sliding_for).epsilon(1e-4));
-  CHECK(scene.wall_contacts.response[0].sliding);
+  CHECK(scene.wall_contact(0).response.sliding);
   while (scene.time < 1.5 * rolls_at) scene.step();
   const double tolerance = 2 * sunk / radius;  // the arm is shorter than R by half the overlap
   CHECK(scene.balls.velocity[0].x() == Approx(5.0 / 7.0 * speed).epsilon(tolerance));
   CHECK(scene.balls.spin[0].y() * radius == Approx(5.0 / 7.0 * speed).epsilon(tolerance));
-  CHECK_FALSE(scene.wall_contacts.response[0].sliding);
+  CHECK_FALSE(scene.wall_contact(0).response.sliding);
 }
 
 TEST_CASE("S3: equal spheres with equal opposite spin keep both, exactly") {
@@ -190,7 +191,7 @@ TEST_CASE("S3: equal spheres with equal opposite spin keep both, exactly") {
   scene.add(Ball{sphere(material, radius), {radius, 0.0, 0.0}, {-3.9, 0.0, 0.0}, -spin});
   scene.time_step = 1e-8;
   do scene.step();
-  while (scene.ball_contacts.geometry[0].overlap > 0.0);
+  while (scene.ball_contact(0).geometry.overlap > 0.0);
   CHECK(scene.balls.velocity[0].x() < 0.0);
   CHECK(scene.balls.spin[0] == spin);
   CHECK(scene.balls.spin[1] == -spin);

@@ -7,6 +7,7 @@
 
 #include "contactlaws/kinematics.hpp"
 #include "contactlaws/material.hpp"
+#include "packs.hpp"
 
 namespace dem {
 
@@ -65,8 +66,10 @@ struct Balls {
     return static_cast<int>(size()) - 1;
   }
 
-  contactlaws::BodyMotion<double> motion(std::size_t ball) const {
-    return {position[ball], velocity[ball], spin[ball]};
+  /// Of one ball, or of a ball in each lane.
+  template <class T>
+  CONTACTLAWS_HD contactlaws::BodyMotion<T> motion(const Ids<T>& ids) const {
+    return {gather<T>(position, ids), gather<T>(velocity, ids), gather<T>(spin, ids)};
   }
 };
 

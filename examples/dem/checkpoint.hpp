@@ -25,32 +25,32 @@ inline void from_json(const nlohmann::json& list, std::vector<Vec3>& vectors) {
     vectors[i] = Vec3(list.at(i).at(0), list.at(i).at(1), list.at(i).at(2));
 }
 
-template <class Law>
-nlohmann::json to_json(const Contacts<Law>& contacts) {
+template <class Law, class T>
+nlohmann::json to_json(const Contacts<Law, T>& contacts) {
   nlohmann::json list = nlohmann::json::array();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     std::vector<double> history(Law::state_size);
-    Law::store(contacts.state[c], history.data());
+    Law::store(contacts.state(c), history.data());
     list.push_back({{"bodies", {contacts.first(c), contacts.second(c)}}, {"history", history}});
   }
   return list;
 }
-template <class Law>
-void from_json(const nlohmann::json& list, Contacts<Law>& contacts) {
+template <class Law, class T>
+void from_json(const nlohmann::json& list, Contacts<Law, T>& contacts) {
   for (const nlohmann::json& entry : list) {
     const Pair bodies{entry.at("bodies").at(0), entry.at("bodies").at(1)};
     const auto at = std::lower_bound(contacts.bodies.begin(), contacts.bodies.end(), bodies);
     if (at == contacts.bodies.end() || !(*at == bodies)) continue;  // listed then, but too far apart to have a history
     const std::vector<double> history = entry.at("history");
-    contacts.state[static_cast<std::size_t>(at - contacts.bodies.begin())] = Law::load(history.data());
+    contacts.set_state(static_cast<std::size_t>(at - contacts.bodies.begin()), Law::load(history.data()));
   }
 }
 
 }  // namespace detail
 
 /// @throws std::runtime_error naming the file that cannot be written
-template <class BallLaw, class WallLaw>
-void save(const std::string& path, const Simulation<BallLaw, WallLaw>& scene) {
+template <class Scene>
+void save(const std::string& path, const Scene& scene) {
   std::vector<Vec3> wall_points;
   for (const Wall& wall : scene.walls) wall_points.push_back(wall.point);
   const nlohmann::json checkpoint = {
@@ -71,8 +71,8 @@ void save(const std::string& path, const Simulation<BallLaw, WallLaw>& scene) {
 
 /// Takes up what save() wrote, in a scene built alike that has not moved yet. @throws std::runtime_error if the file cannot
 /// be read, or holds another number of bodies
-template <class BallLaw, class WallLaw>
-void restore(const std::string& path, Simulation<BallLaw, WallLaw>& scene) {
+template <class Scene>
+void restore(const std::string& path, Scene& scene) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
   const nlohmann::json checkpoint = nlohmann::json::parse(file);

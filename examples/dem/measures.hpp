@@ -13,37 +13,31 @@ namespace dem {
 
 namespace detail {
 
-template <class Law>
-void add_stiffness(const Law& law, const Contacts<Law>& contacts, bool first_is_ball,
-                   std::vector<contactlaws::BodyStiffness<double>>& stiffness) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const contactlaws::ContactGeometry<double>& geometry = contacts.geometry[c];
-    const auto k = law.stiffness(contacts.pair[c], geometry.overlap, contacts.state[c]);
-    if (first_is_ball) stiffness[contacts.first(c)].add(k, geometry.normal, geometry.arm1.norm());
-    stiffness[contacts.second(c)].add(k, geometry.normal, geometry.arm2.norm());
-  }
-}
-
-template <class Law>
-void add_loads(const Contacts<Law>& contacts, bool first_is_ball, std::vector<double>& load) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const double pressed_and_pulled = std::abs(contacts.response[c].surface) + contacts.response[c].attraction;
-    if (first_is_ball) load[contacts.first(c)] += pressed_and_pulled;
-    load[contacts.second(c)] += pressed_and_pulled;
-  }
+/// Calls `visit` with each contact of the scene: its list, its number, a look at it, and whether its first body is a ball.
+template <class Scene, class Visit>
+void for_each_contact(const Scene& scene, const Visit& visit) {
+  for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c)
+    visit(scene.ball_law, scene.ball_contacts, c, scene.ball_contact(c), true);
+  for (std::size_t c = 0; c < scene.wall_contacts.size(); ++c)
+    visit(scene.wall_law, scene.wall_contacts, c, scene.wall_contact(c), false);
 }
 
 }  // namespace detail
 
 /// Largest stable step [s], before a safety factor (contactlaws/timestep.hpp). Contacts that are listed but open count as
 /// barely touching, and every ball as if it touched its twin, so that only an impact comes as a surprise.
-template <class BallLaw, class WallLaw>
-double stable_time_step(Simulation<BallLaw, WallLaw>& scene) {
+template <class Scene>
+double stable_time_step(Scene& scene) {
   scene.start();
   const Balls& balls = scene.balls;
   std::vector<contactlaws::BodyStiffness<double>> stiffness(balls.size());
-  detail::add_stiffness(scene.ball_law, scene.ball_contacts, true, stiffness);
-  detail::add_stiffness(scene.wall_law, scene.wall_contacts, false, stiffness);
+  detail::for_each_contact(
+      scene, [&stiffness](const auto& law, const auto& contacts, std::size_t c, const auto& look, bool first_is_ball) {
+        const contactlaws::ContactGeometry<double>& geometry = look.geometry;
+        const auto k = law.stiffness(contacts.template pair_at<double>(c), geometry.overlap, contacts.state(c));
+        if (first_is_ball) stiffness[contacts.first(c)].add(k, geometry.normal, geometry.arm1.norm());
+        stiffness[contacts.second(c)].add(k, geometry.normal, geometry.arm2.norm());
+      });
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < balls.size(); ++b) {
     if (!balls.free[b]) continue;
@@ -58,12 +52,16 @@ double stable_time_step(Simulation<BallLaw, WallLaw>& scene) {
 
 /// How far the free balls are from equilibrium: the sum of their unbalanced forces (and moments, over the radius) against
 /// the sum of all that presses and pulls them [1].
-template <class BallLaw, class WallLaw>
-double unbalanced_ratio(const Simulation<BallLaw, WallLaw>& scene) {
+template <class Scene>
+double unbalanced_ratio(const Scene& scene) {
   const Balls& balls = scene.balls;
   std::vector<double> load(balls.size());
-  detail::add_loads(scene.ball_contacts, true, load);
-  detail::add_loads(scene.wall_contacts, false, load);
+  detail::for_each_contact(
+      scene, [&load](const auto&, const auto& contacts, std::size_t c, const auto& look, bool first_is_ball) {
+        const double pressed_and_pulled = std::abs(look.response.surface) + look.response.attraction;
+        if (first_is_ball) load[contacts.first(c)] += pressed_and_pulled;
+        load[contacts.second(c)] += pressed_and_pulled;
+      });
   double unbalanced = 0.0, total = 0.0;
   for (std::size_t b = 0; b < balls.size(); ++b) {
     if (!balls.free[b]) continue;

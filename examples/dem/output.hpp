@@ -81,26 +81,30 @@ inline void write_balls_vtk(const std::string& path, const Balls& balls) {
 
 /// The active contacts between balls, as lines from centre to centre with the normal force (tension < 0) and the shear
 /// force [N]. In ParaView: Tube. @throws std::runtime_error naming the file that cannot be written
-template <class Law>
-void write_contacts_vtk(const std::string& path, const Balls& balls, const Contacts<Law>& contacts) {
+template <class Scene>
+void write_contacts_vtk(const std::string& path, const Scene& scene) {
+  const Balls& balls = scene.balls;
   const Eigen::IOFormat in_a_line(17, Eigen::DontAlignCols, " ", " ");
   std::ofstream file = detail::open_for_writing(path);
   std::vector<std::size_t> active;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.response[c].active) active.push_back(c);
+  for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c)
+    if (scene.ball_contact(c).response.active) active.push_back(c);
   const std::size_t count = active.size();
   file << "# vtk DataFile Version 3.0\ncontacts, in N\nASCII\nDATASET POLYDATA\nPOINTS " << balls.size() << " double\n";
   for (const Vec3& p : balls.position) file << p.format(in_a_line) << '\n';
   file << "LINES " << count << ' ' << 3 * count << '\n';
-  for (const std::size_t c : active) file << "2 " << contacts.first(c) << ' ' << contacts.second(c) << '\n';
+  for (const std::size_t c : active)
+    file << "2 " << scene.ball_contacts.first(c) << ' ' << scene.ball_contacts.second(c) << '\n';
   file << "CELL_DATA " << count << '\n';
   const auto normal_force = [&](std::size_t i) {
-    return contacts.response[active[i]].force.dot(contacts.geometry[active[i]].normal);
+    const auto look = scene.ball_contact(active[i]);
+    return look.response.force.dot(look.geometry.normal);
   };
   detail::write_field(file, detail::scalars("normal_force"), count, normal_force);
   detail::write_field(file, detail::scalars("shear_force"), count, [&](std::size_t i) {
-    const Vec3 normal_part = contacts.geometry[active[i]].normal * normal_force(i);
-    return (contacts.response[active[i]].force - normal_part).norm();
+    const auto look = scene.ball_contact(active[i]);
+    const Vec3 normal_part = look.geometry.normal * normal_force(i);
+    return (look.response.force - normal_part).norm();
   });
 }
 

@@ -8,21 +8,26 @@
 //   ask       the contact law for the force
 //   scatter   forces and moments to the bodies
 //
+// Contacts between balls are asked a pack at a time. Each thread asks a share of the contacts, then each adds up the forces on
+// a share of the balls: the same bits on any number of threads.
 // Nothing here knows a formula of contact: copy this to see how a law is called.
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <vector>
 
 #include "contacts.hpp"
-#include "walls.hpp"
+#include "parallel.hpp"
 
 namespace dem {
 
-template <class BallLaw, class WallLaw = BallLaw>
+/// `BallPack`: how many contacts between balls are asked at once; double for one.
+template <class BallLaw, class WallLaw = BallLaw, class BallPack = Pack>
 class Simulation {
  public:
   BallLaw ball_law;  ///< between two balls
@@ -32,14 +37,15 @@ class Simulation {
   double local_damping = 0.0;      ///< share of an unbalanced force that opposes motion, in [0, 1); PFC's is 0.7 [1]
   double time_step = 0.0;          ///< [s]; may change from step to step
   double skin = 0.3;               ///< how far neighbours are listed beyond the laws' reach, in smallest radii [1]
+  int threads = 1;                 ///< that share the work of a step
   std::ostream* log = &std::clog;  ///< where warnings go
 
   Balls balls;
   std::vector<Wall> walls;
-  Contacts<BallLaw> ball_contacts;
-  Contacts<WallLaw> wall_contacts;
-  double time = 0.0;       ///< [s]
-  std::int64_t steps = 0;  ///< taken so far
+  Contacts<BallLaw, BallPack> ball_contacts;
+  Contacts<WallLaw, double> wall_contacts;  ///< few: asked one at a time
+  double time = 0.0;                        ///< [s]
+  std::int64_t steps = 0;                   ///< taken so far
   double last_step = 0.0;  ///< [s]; 0 before the first: velocities are then those of the start, not half a step older
 
   Simulation(const BallLaw& between_balls, const WallLaw& at_walls)
@@ -75,17 +81,19 @@ class Simulation {
   /// From now on the wall moves at this velocity [m/s]. @throws std::invalid_argument if there is no such wall
   void drive_wall(int wall, const Vec3& velocity) { walls[checked_id(wall, walls.size(), "wall")].velocity = velocity; }
 
-  /// Advances by time_step. @throws std::invalid_argument if time_step or local_damping is out of range
+  /// Advances by time_step. @throws std::invalid_argument if time_step, local_damping or threads is out of range
   void step() {
     contactlaws::require_in(contactlaws::Range::positive(), time_step, "Simulation", "time_step", "s");
     contactlaws::require_in({0.0, 1.0, true, false}, local_damping, "Simulation", "local_damping", "1");
+    contactlaws::require_in({1.0, std::numeric_limits<double>::infinity(), true, false}, threads, "Simulation",
+                            "threads", "1");
     start();
-    kick((last_step + time_step) / 2.0);  // from the middle of the last step to the middle of this one
-    drift(time_step);
+    // The kick goes from the middle of the last step to the middle of this one.
+    const bool far = move((last_step + time_step) / 2.0, time_step);
     last_step = time_step;
     time += time_step;
     ++steps;
-    if (farthest_move() > margin_ / 2.0) list_neighbours();
+    if (far) list_neighbours();
     find_forces(time_step);
   }
 
@@ -97,12 +105,23 @@ class Simulation {
     list_neighbours();
     find_forces(0.0);
     if (log == nullptr) return;
-    warn_of_overlaps(ball_contacts, "ball", *log);
-    warn_of_overlaps(wall_contacts, "wall", *log);
+    for (std::size_t c = 0; c < ball_contacts.size(); ++c)
+      warn_of_overlap(ball_contacts, "ball", c, ball_contact(c).geometry.overlap);
+    for (std::size_t c = 0; c < wall_contacts.size(); ++c)
+      warn_of_overlap(wall_contacts, "wall", c, wall_contact(c).geometry.overlap);
+  }
+
+  /// A contact at the last step: where, how it moved, and all that the law said. Bodies must be as that step left them.
+  Look<double, typename BallLaw::State> ball_contact(std::size_t contact) const {
+    return ball_contacts.look(ball_law, balls_meet(), contact);
+  }
+  Look<double, typename WallLaw::State> wall_contact(std::size_t contact) const {
+    return wall_contacts.look(wall_law, wall_meets_ball(), contact);
   }
 
  private:
   bool started_ = false;
+  double last_dt_ = 0.0;         ///< over which contacts were last asked to move [s]
   double margin_ = 0.0;          ///< how far neighbours were listed beyond the laws' reach [m]
   std::vector<Vec3> listed_at_;  ///< where balls, then walls, were when neighbours were listed [m]
 
@@ -111,19 +130,44 @@ class Simulation {
     return static_cast<std::size_t>(id);
   }
 
+  /// A line for two bodies that overlap by more than a tenth of the smaller radius.
+  template <class Contacts>
+  void warn_of_overlap(const Contacts& contacts, const char* first_kind, std::size_t c, double overlap) const {
+    const double allowed = contacts.pair.smaller_radius[c] / 10.0;
+    if (overlap > allowed)
+      *log << "warning: " << first_kind << ' ' << contacts.first(c) << " and ball " << contacts.second(c)
+           << " start with an overlap of " << overlap << " m, more than a tenth of the smaller radius (" << allowed
+           << " m)\n";
+  }
+
   // Motion ------------------------------------------------------------------------------------------------------------
 
-  void kick(double dt) {
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-      if (!balls.free[b]) continue;
-      const Vec3 force = balls.force[b] + balls.mass[b] * gravity;
-      balls.velocity[b] += damped(force, balls.velocity[b]) * (dt / balls.mass[b]);
-      balls.spin[b] += damped(balls.moment[b], balls.spin[b]) * (dt / balls.inertia[b]);
+  /// Kicks the velocities over `kick` and lets the positions drift over `drift` [s]. Whether a body is now half a margin away
+  /// from where neighbours were listed.
+  bool move(double kick, double drift) {
+    const double allowed = margin_ * margin_ / 4.0;
+    std::atomic<bool> far{false};
+    in_parallel(threads, balls.size(), 1, [this, kick, drift, allowed, &far](std::size_t first, std::size_t last) {
+      for (std::size_t b = first; b < last; ++b) {
+        if (balls.free[b]) {
+          const Vec3 force = balls.force[b] + balls.mass[b] * gravity;
+          balls.velocity[b] += damped(force, balls.velocity[b]) * (kick / balls.mass[b]);
+          balls.spin[b] += damped(balls.moment[b], balls.spin[b]) * (kick / balls.inertia[b]);
+        }
+        balls.position[b] += balls.velocity[b] * drift;
+        if ((balls.position[b] - listed_at_[b]).squaredNorm() > allowed) far = true;
+      }
+    });
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+      walls[w].point += walls[w].velocity * drift;
+      if ((walls[w].point - listed_at_[balls.size() + w]).squaredNorm() > allowed) far = true;
     }
+    return far;
   }
 
   /// What local damping leaves of an unbalanced force or moment F: F - alpha |F| sign(v), per component (Itasca).
   Vec3 damped(const Vec3& load, const Vec3& velocity) const {
+    if (!(local_damping > 0.0)) return load;
     Vec3 left = load;
     for (int i = 0; i < 3; ++i) {
       if (velocity[i] > 0.0) left[i] -= local_damping * std::abs(load[i]);
@@ -132,21 +176,7 @@ class Simulation {
     return left;
   }
 
-  void drift(double dt) {
-    for (std::size_t b = 0; b < balls.size(); ++b) balls.position[b] += balls.velocity[b] * dt;
-    for (Wall& wall : walls) wall.point += wall.velocity * dt;
-  }
-
   // Neighbours --------------------------------------------------------------------------------------------------------
-
-  double farthest_move() const {
-    double square = 0.0;
-    for (std::size_t b = 0; b < balls.size(); ++b)
-      square = std::max(square, (balls.position[b] - listed_at_[b]).squaredNorm());
-    for (std::size_t w = 0; w < walls.size(); ++w)
-      square = std::max(square, (walls[w].point - listed_at_[balls.size() + w]).squaredNorm());
-    return std::sqrt(square);
-  }
 
   void list_neighbours() {
     margin_ = balls.size() > 0 ? skin * *std::min_element(balls.radius.begin(), balls.radius.end()) : 0.0;
@@ -156,73 +186,49 @@ class Simulation {
       reach[b] = ball_law.interaction_range(twins(balls.side[b])) + margin_;
       const double reach_of_wall = wall_law.interaction_range(twins(balls.side[b])) + margin_;
       for (std::size_t w = 0; w < walls.size(); ++w)
-        if (-meet_wall(w, b).overlap <= reach_of_wall) at_walls.push_back({static_cast<int>(w), static_cast<int>(b)});
+        if (-wall_meets_ball().overlap(w, b) <= reach_of_wall)
+          at_walls.push_back({static_cast<int>(w), static_cast<int>(b)});
     }
     ball_contacts.list(
-        ball_law, find_neighbours(balls.position, balls.radius, reach), margin_,
+        ball_law, find_neighbours(balls.position, balls.radius, reach), margin_, balls.size(), balls.size(),
         [this](std::size_t i, std::size_t j) { return contactlaws::pair_properties(balls.side[i], balls.side[j]); },
-        [this](std::size_t i, std::size_t j) { return meet_balls(i, j); });
+        [this](std::size_t i, std::size_t j) { return balls_meet().overlap(i, j); });
     wall_contacts.list(
-        wall_law, at_walls, margin_,
+        wall_law, at_walls, margin_, walls.size(), balls.size(),
         [this](std::size_t w, std::size_t b) { return contactlaws::pair_properties(walls[w].side, balls.side[b]); },
-        [this](std::size_t w, std::size_t b) { return meet_wall(w, b); });
+        [this](std::size_t w, std::size_t b) { return wall_meets_ball().overlap(w, b); });
     listed_at_ = balls.position;
     for (const Wall& wall : walls) listed_at_.push_back(wall.point);
   }
 
   // Forces ------------------------------------------------------------------------------------------------------------
 
-  contactlaws::ContactGeometry<double> meet_balls(std::size_t i, std::size_t j) const {
-    return contactlaws::meet_spheres(balls.position[i], balls.radius[i], balls.position[j], balls.radius[j]);
-  }
-  contactlaws::ContactGeometry<double> meet_wall(std::size_t w, std::size_t b) const {
-    return contactlaws::meet_plane(walls[w].point, walls[w].facing, balls.position[b], balls.radius[b]);
-  }
+  BallsMeet balls_meet() const { return {balls, last_dt_}; }
+  WallMeetsBall wall_meets_ball() const { return {walls, balls, last_dt_}; }
 
   void find_forces(double dt) {
-    gather(dt);
-    ball_contacts.ask(ball_law);
-    wall_contacts.ask(wall_law);
-    scatter();
-  }
-
-  void gather(double dt) {
-    for (std::size_t c = 0; c < ball_contacts.size(); ++c) {
-      const std::size_t i = ball_contacts.first(c), j = ball_contacts.second(c);
-      const auto geometry = meet_balls(i, j);
-      const auto motion = contactlaws::contact_kinematics(geometry, balls.motion(i), balls.motion(j), dt);
-      ball_contacts.geometry[c] = geometry;
-      ball_contacts.motion[c] = at_full_step(motion, balls.velocity[j] - balls.velocity[i],
-                                             balls.radius[i] + balls.radius[j] - geometry.overlap);
+    last_dt_ = dt;
+    ball_contacts.begin_step();
+    wall_contacts.begin_step();
+    in_parallel(threads, ball_contacts.size(), lanes<BallPack>, [this](std::size_t first, std::size_t last) {
+      ball_contacts.ask(ball_law, balls_meet(), first, last);
+    });
+    wall_contacts.ask(wall_law, wall_meets_ball(), 0, wall_contacts.size());
+    in_parallel(threads, balls.size(), 1, [this](std::size_t first, std::size_t last) {
+      for (std::size_t b = first; b < last; ++b) {
+        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+        ball_contacts.add_second(b, force, moment);  // the other ball has the lower id: in the order of the list
+        ball_contacts.add_first(b, force, moment);
+        wall_contacts.add_second(b, force, moment);
+        balls.force[b] = force;
+        balls.moment[b] = moment;
+      }
+    });
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+      Vec3 moment = Vec3::Zero();  // a wall does not turn
+      walls[w].force = Vec3::Zero();
+      wall_contacts.add_first(w, walls[w].force, moment);
     }
-    for (std::size_t c = 0; c < wall_contacts.size(); ++c) {
-      const std::size_t w = wall_contacts.first(c), b = wall_contacts.second(c);
-      wall_contacts.geometry[c] = meet_wall(w, b);
-      wall_contacts.motion[c] =
-          contactlaws::contact_kinematics(wall_contacts.geometry[c], walls[w].motion(), balls.motion(b), dt);
-    }
-  }
-
-  void scatter() {
-    for (std::size_t b = 0; b < balls.size(); ++b) balls.force[b] = balls.moment[b] = Vec3::Zero();
-    for (Wall& wall : walls) wall.force = Vec3::Zero();
-    for (std::size_t c = 0; c < ball_contacts.size(); ++c) {
-      if (!ball_contacts.response[c].active) continue;
-      const Vec3& force = ball_contacts.response[c].force;
-      push(ball_contacts.first(c), ball_contacts.geometry[c].arm1, -force);
-      push(ball_contacts.second(c), ball_contacts.geometry[c].arm2, force);
-    }
-    for (std::size_t c = 0; c < wall_contacts.size(); ++c) {
-      if (!wall_contacts.response[c].active) continue;
-      const Vec3& force = wall_contacts.response[c].force;
-      walls[wall_contacts.first(c)].force -= force;
-      push(wall_contacts.second(c), wall_contacts.geometry[c].arm2, force);
-    }
-  }
-
-  void push(std::size_t ball, const Vec3& arm, const Vec3& force) {
-    balls.force[ball] += force;
-    balls.moment[ball] += arm.cross(force);
   }
 };
 

@@ -44,7 +44,7 @@ inline void grain_assembly(const std::string& directory, Rows& rows) {
   });
   history.write_csv(directory + "/assembly_history.csv");
   write_grains(directory + "/assembly_after", scene.balls);
-  dem::write_contacts_vtk(directory + "/assembly_contacts.vtk", scene.balls, scene.ball_contacts);
+  dem::write_contacts_vtk(directory + "/assembly_contacts.vtk", scene);
   rows.push_back(
       {"grain_assembly.bottom_wall_force", "N", 0.368, expected::assembly_weight, bottom.force.norm(), equilibrium});
 }

@@ -46,7 +46,7 @@ class MoistureProblem {
 
   bool wet() const {
     const auto& contacts = grains_.scene.ball_contacts;
-    return contacts.size() > 0 && contactlaws::SuctionBridge<double>::is_wet(contacts.state[0]);
+    return contacts.size() > 0 && contactlaws::SuctionBridge<double>::is_wet(contacts.state(0));
   }
   double gap() const {
     const auto& balls = grains_.scene.balls;
@@ -54,18 +54,25 @@ class MoistureProblem {
   }
 
   void record(int figure, bool released) {
-    const auto& contacts = grains_.scene.ball_contacts;
-    const bool listed = contacts.size() > 0;
-    path_.add({double(figure), grains_.scene.time, gap(), listed ? contacts.response[0].surface : 0.0,
-               listed ? contacts.response[0].attraction : 0.0, double(wet()), double(released)});
+    const bool listed = grains_.scene.ball_contacts.size() > 0;
+    double surface = 0.0, attraction = 0.0;
+    if (listed) {
+      const auto response = grains_.scene.ball_contact(0).response;
+      surface = response.surface;
+      attraction = response.attraction;
+    }
+    path_.add({double(figure), grains_.scene.time, gap(), surface, attraction, double(wet()), double(released)});
   }
 
   /// Wets every contact between grains whose gap is at most `moisture_gap` [m].
   void add_moisture(double moisture_gap) {
     grains_.scene.start();
     auto& contacts = grains_.scene.ball_contacts;
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-      Law::make_wet(contacts.state[c], contacts.geometry[c].overlap, moisture_gap);
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      Law::State state = contacts.state(c);
+      Law::make_wet(state, grains_.scene.ball_contact(c).geometry.overlap, moisture_gap);
+      contacts.set_state(c, state);
+    }
   }
 
   /// Lets the top grain go, until it rests. Returns the overlap [m].

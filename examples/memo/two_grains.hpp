@@ -60,17 +60,17 @@ class TwoGrains {
     scene.drive(top, velocity, spin);
     for (int i = 0; i < steps && !dem::stop_requested(); ++i) {
       scene.step();
-      const auto& motion = scene.ball_contacts.motion[0];
+      const auto motion = scene.ball_contact(0).motion;
       slid_ += (motion.velocity - motion.normal * motion.velocity.dot(motion.normal)).norm() * motion.dt;
       watch();
     }
   }
 
   Sight sight() const {
-    const auto& contacts = scene.ball_contacts;
-    const Vec3& n = contacts.geometry[0].normal;
-    const Vec3& force = contacts.response[0].force;
-    return {-contacts.geometry[0].overlap, force.dot(n), slid_, (force - n * force.dot(n)).norm()};
+    const auto contact = scene.ball_contact(0);
+    const Vec3& n = contact.geometry.normal;
+    const Vec3& force = contact.response.force;
+    return {-contact.geometry.overlap, force.dot(n), slid_, (force - n * force.dot(n)).norm()};
   }
 
  private:
