@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The trade between speed and accuracy:
+//
+//   trade LAW.toml... [-o DIRECTORY]
+//       every tier of each law on every family of motions (families.hpp): writes trade.csv and trade.json
+//   trade --replay RECORDING.csv --law LAW.toml [--tolerance 1e-3]
+//       the cheapest composition that keeps the forces of a recorded scene, and what the scene never uses
+//
+// Ends with 0; with 1 if no composition keeps the tolerance; with 2 on a fault in its input, which it names, and then nothing
+// is written; with 130 if stopped with Ctrl-C.
+#include <exception>
+#include <filesystem>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "contactlaws/adapt/xsimd.hpp"
+#include "measurement.hpp"
+#include "replay.hpp"
+
+namespace trade {
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> laws;
+  std::string directory = "build/results";
+  std::string recording;
+  std::string law;
+  double tolerance = 1e-3;
+  int repetitions = 11;
+};
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.compare(0, 10, "model name") == 0) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+int measure(const Arguments& arguments) {
+  std::vector<std::pair<std::string, LawDescription>> laws;
+  for (const std::string& file : arguments.laws) {
+    laws.emplace_back(std::filesystem::path(file).stem().string(), contact_path::read_law(file));
+    if (laws.back().second.bodies.empty())
+      contact_path::fail({file}, "[pair] must have bodies here: the families of motion move them");
+    composition_of(laws.back().second);
+  }
+  std::filesystem::create_directories(arguments.directory);
+  Effort effort;
+  effort.repetitions = arguments.repetitions;
+  std::vector<Row> rows;
+  const dem::InterruptGuard guard;
+  {
+    dem::Progress progress("trade");
+    for (std::size_t i = 0; i < laws.size() && !dem::stop_requested(); ++i) {
+      const auto of_law = [&](double done) { progress.at((double(i) + done) / double(laws.size())); };
+      const std::vector<Row> more = measure_law(laws[i].first, laws[i].second, effort, of_law);
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
+  }
+  if (dem::stop_requested()) return 130;
+  write_table(arguments.directory, rows,
+              {{"processor", processor()},
+               {"compiler", TRADE_COMPILER},
+               {"lanes", contactlaws::ScalarTraits<contactlaws::PackOf<double>::type>::lanes}});
+  std::cout << "written: " << arguments.directory << "/trade.csv and trade.json, " << rows.size() << " rows\n";
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace trade
+
+int main(int argc, char** argv) {
+  CLI::App app("What every simplification of a contact law costs in accuracy and saves in time.");
+  trade::Arguments arguments;
+  app.add_option("LAW.toml", arguments.laws, "laws to measure");
+  app.add_option("-o,--output", arguments.directory, "directory of the table (default: build/results)");
+  app.add_option("--replay", arguments.recording, "a recording of contacts: what does this scene require?");
+  app.add_option("--law", arguments.law, "the fullest model of the recorded contacts");
+  app.add_option("--tolerance", arguments.tolerance, "on forces, relative to the largest of a contact (default: 1e-3)")
+      ->check(CLI::Range(1e-18, 1e18));
+  app.add_option("--repetitions", arguments.repetitions, "timings of which the median is taken (default: 11)")
+      ->check(CLI::Range(1, 1000));
+  try {
+    app.parse(argc, argv);
+    if (arguments.recording.empty() != arguments.law.empty())
+      throw CLI::ValidationError("--replay and --law belong together");
+    if (!arguments.recording.empty())
+      return trade::replay(arguments.recording, arguments.law, arguments.tolerance, arguments.repetitions, std::cout);
+    if (arguments.laws.empty()) throw CLI::ValidationError("nothing to do: name laws, or --replay and --law");
+    return trade::measure(arguments);
+  } catch (const CLI::ParseError& fault) {
+    return app.exit(fault) == 0 ? 0 : 2;
+  } catch (const std::exception& fault) {
+    std::cerr << "trade: " << fault.what() << '\n';
+    return 2;
+  }
+}
