@@ -44,7 +44,7 @@ done
 
 on_one_core build/bench/bin/trade bench/trade/laws/*.toml -o $results
 build/bench/bin/record_grains $results/grains.csv
-on_one_core build/bench/bin/trade --replay $results/grains.csv --law bench/trade/laws/hill.toml | tee $results/replay_grains.txt
+on_one_core build/bench/bin/trade --replay $results/grains.csv --law bench/trade/record/grains.toml | tee $results/replay_grains.txt
 sh bench/instructions.sh $results
 
 # The first Python that has matplotlib: Debian's package serves /usr/bin/python3, which need not be the first on the path.
