@@ -8,6 +8,7 @@
 
 #include "contact_arrays.hpp"
 #include "contactlaws/adapt/xsimd.hpp"
+#include "runs_here.hpp"
 
 namespace {
 
@@ -101,16 +102,6 @@ void add(const std::string& name, const Law& law, const Mix& mix) {
   put("/float/scalar/1024", with(one_by_one<Float>, in_float, in_cache));
   put("/float/batch/1024", with(batched<Float>, in_float, in_cache));
   put("/float/batch/1e6", with(batched<Float>, in_float, in_memory));
-}
-
-bool runs_here() {
-#if defined(__AVX512DQ__)
-  return __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
-#elif defined(__AVX2__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return true;
-#endif
 }
 
 }  // namespace
