@@ -1,5 +1,8 @@
 // Derivatives by autodiff: each law's value with derivatives equals the plain one, and the derivatives are its stiffness.
 #include "contactlaws/adapt/autodiff.hpp"
+
+#include <new>
+
 #include "law_properties.hpp"
 
 namespace contactlaws::test {
@@ -39,6 +42,20 @@ TEST_CASE("a step with derivatives has the values of the plain step, bit for bit
         state = step.state;
         dual_state = dual.state;
       }
+    }
+  });
+}
+
+TEST_CASE("a virgin state is zero, though a number with derivatives leaves itself unset") {
+  visit_laws([](const char* name, std::size_t, const auto& law) {
+    INFO(name);
+    using Law = std::decay_t<decltype(law.template cast<Dual>())>;
+    alignas(typename Law::State) unsigned char memory[sizeof(typename Law::State)];
+    for (volatile unsigned char& byte : memory) byte = 0x41;
+    const Dual* const values = reinterpret_cast<Dual*>(new (memory) typename Law::State{});
+    for (std::size_t i = 0; i < Law::state_size; ++i) {
+      CHECK(values[i].value() == 0.0);
+      CHECK(values[i].derivatives().isZero(0.0));
     }
   });
 }
