@@ -75,8 +75,8 @@ TEMPLATE_TEST_CASE("a pack does lane by lane what one contact does", "", double,
     const auto packed = any_law.template cast<T>();
     using Law = std::decay_t<decltype(law)>;
     using Packed = std::decay_t<decltype(packed)>;
-    static_assert(noexcept(packed.step(gather_pair<Lane>({}), gather_step<Lane>({}, 0), typename Packed::State{})) ||
-                  noexcept(packed.interaction_range(PairProperties<T>{})));
+    static_assert(noexcept(packed.step(std::declval<PairProperties<T>>(), std::declval<ContactKinematics<T>>(),
+                                       std::declval<typename Packed::State>())));
 
     // The functions that a pack computes by formulas of its own; the rest is + - * / sqrt, the same in every text.
     const bool own_functions = has_bridge<Law> || Law::state_size >= 6 || std::string(name).find("Rough") == 0;
