@@ -2,6 +2,8 @@
 """Runs `trade --replay` on small scenes whose answer is known without it, and on files with every kind of fault.
 
     python3 tests/trade/check.py PROGRAM
+
+Run by hand: what is cheapest is measured, so on a busy machine a check may fail with nothing wrong.
 """
 
 import math
@@ -98,7 +100,7 @@ def known_answers(directory):
     # Projection loses 1 - cos(d) of the length in each turn by d: over 90 degrees in 200 steps
     # 1 - cos(pi/400)^200 = 6.1e-3 of the shear force; restored or rotated, none but rounding.
     code, out, cheapest = replay(turning(), "dry_hill", 1e-6, directory)
-    check("a turning scene keeps more than Project at 1e-6", "/project," not in cheapest and "/project_restore" in cheapest, out)
+    check("a turning scene keeps more than Project at 1e-6", "/project," not in cheapest, out)
     lost = 1 - math.cos(math.pi / 400) ** 200
     found = [l for l in out.splitlines() if "carrying: project " in l]
     shear_share = [l for l in out.splitlines() if "shear: no shear force" in l]
