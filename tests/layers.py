@@ -14,7 +14,7 @@ from pathlib import Path
 LAYERS = [
     "config version",
     "scalar",
-    "parameter",
+    "parameter power",
     "validate kinematics",
     "material carry slots",
     "linear hertz dashpots shear liquid_bridge",

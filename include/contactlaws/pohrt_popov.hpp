@@ -13,9 +13,9 @@
 //
 // Pohrt & Popov (2012); Tolomeo & McDowell (2022) Eqs 1-6, whose increments (pohrt_popov_incremental.hpp) these replace:
 // no step, no drift, no start. Domain: D_f in [2, 3], h > 0, o << R*.
-// Error of F, given p and o_c: <= 7 ULP, 6.2 for D_f <= 2.4 (a rounding of x counts 3/2 (p - 1) times); of the stiffness
-// 5. Power::fast, exp((p-1) log x), adds 3/2 |(p-1) log x| eps; so does pow in packs. Unloading, d is right to 3 ULP of
-// d(o_m) and, near o_p, no better: no number stands for d(o_m) to less than half one (tests/test_pohrt_popov_accuracy.cpp).
+// Error of F, given p and o_c: <= 6 ULP, 5 for D_f <= 2.4; of the stiffness 5. Power::fast adds 3/2 |(p-1) log x| eps, and
+// so do packs (power.hpp). Unloading, d is right to 3 ULP of d(o_m) and, near o_p, no better: no number stands for d(o_m)
+// to less than half one (tests/test_pohrt_popov_accuracy.cpp).
 #pragma once
 
 #include <array>
@@ -23,6 +23,7 @@
 #include "contactlaws/hertz.hpp"
 #include "contactlaws/material.hpp"
 #include "contactlaws/parameter.hpp"
+#include "contactlaws/power.hpp"
 #include "contactlaws/slots.hpp"
 #include "contactlaws/validate.hpp"
 
@@ -54,12 +55,6 @@ struct RoughSurface {
   }
 };
 
-/// How a power is computed.
-enum class Power {
-  accurate,  ///< pow: to about an ULP
-  fast       ///< exp(y log x): relative error grows by |y log x| eps
-};
-
 /// What the surfaces remember once the bodies have been fully apart.
 enum class Recontact {
   same_spot,     ///< the flattened asperities meet again: a rattling contact neither hardens nor softens (default)
@@ -85,19 +80,10 @@ struct RoughProfile {
 
   /// d and its slope x^(p-1) at an overlap >= 0 [m].
   CONTACTLAWS_HD Indentation indentation(const T& overlap) const noexcept {
-    using std::exp;
-    using std::log;
-    using std::pow;
     const Mask<T> rough = overlap > T(0) && overlap < transition_overlap;
     if (!any<T>(rough)) return {flattened(overlap), T(1)};
     const T closed = select<T>(rough, overlap, transition_overlap);
-    const T less = exponent - T(1);
-    T slope;
-    if constexpr (power == Power::accurate) {
-      slope = pow(T(closed / transition_overlap), less);
-    } else {  // a division ahead of the logarithm would have to be waited for; this one does not depend on the overlap
-      slope = exp(T(less * T(log(T(closed * T(T(1) / transition_overlap))))));
-    }
+    const T slope = power_of_quotient<T, power>(closed, transition_overlap, T(exponent - T(1)));
     return {select<T>(rough, T(overlap / exponent * slope), flattened(overlap)), slope};
   }
 
@@ -204,8 +190,8 @@ struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
       state.largest_overlap = select<T>(overlap > T(0), largest, T(0));
     if (!any<T>(depth > T(0))) return {T(0), T(0), T(0), T(0)};  // a square root has no derivative at 0
     const HertzResponse<T> hertz = hertz_response<T>(pair, depth);
-    const T stiffness = hertz.stiffness * select<T>(virgin, at_largest.slope, T(1));
-    return {hertz.force, stiffness, hertz.secant, hertz.stiffness};
+    const T virgin_stiffness = hertz.stiffness * at_largest.slope;
+    return {hertz.force, select<T>(virgin, virgin_stiffness, hertz.stiffness), hertz.secant, hertz.stiffness};
   }
 
   /// o_p [m], where the contact reopens.

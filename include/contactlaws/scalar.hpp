@@ -95,6 +95,23 @@ CONTACTLAWS_HD T sqrt_of_product(const T& a, const T& b) noexcept {
   return select<T>(lost, T(sqrt(a)) * T(sqrt(b)), root);
 }
 
+/// a - q b, what the quotient q of a/b left over, to the last bit where nothing underflows: the product as the exact sum
+/// of the halves' products (Veltkamp 1968, Dekker 1971). Compilers told to reorder sums (-ffast-math) make it zero.
+template <class T>
+CONTACTLAWS_HD T quotient_error(const T& a, const T& b, const T& q) noexcept {
+  using Lane = typename ScalarTraits<T>::Lane;
+  constexpr int half = (std::numeric_limits<Lane>::digits + 1) / 2;
+  if constexpr (half > 32) {
+    return a - q * b;  // no number to spare a rounding of
+  } else {
+    const T splitter = T(Lane((1ULL << half) + 1));
+    const T b_scaled = splitter * b, q_scaled = splitter * q;
+    const T b_high = b_scaled - (b_scaled - b), q_high = q_scaled - (q_scaled - q);
+    const T b_low = b - b_high, q_low = q - q_high;
+    return ((a - q_high * b_high) - q_high * b_low - q_low * b_high) - q_low * b_low;
+  }
+}
+
 /// Whether a sum of squares kept its digits: neither underflow nor overflow came near it.
 template <class T>
 CONTACTLAWS_HD Mask<T> square_is_exact(const T& square) noexcept {

@@ -2,9 +2,13 @@
 // Packs of numbers: any kernel on xsimd::batch<double> or <float>, one contact a lane.
 #pragma once
 
+#include <cstdint>
+#include <type_traits>
+
 #include <xsimd/xsimd.hpp>
 
 #include "contactlaws/batch.hpp"
+#include "contactlaws/power.hpp"
 
 namespace Eigen {
 template <class L, class A>
@@ -39,6 +43,17 @@ struct ScalarTraits<xsimd::batch<L, A>> {
   static bool any(const Mask& condition) noexcept { return xsimd::any(condition); }
   static Pack load(const L* values) noexcept { return Pack::load_unaligned(values); }
   static void store(L* values, const Pack& x) noexcept { x.store_unaligned(values); }
+};
+
+template <class L, class A>
+struct BinaryDigits<xsimd::batch<L, A>> {
+  using Pack = xsimd::batch<L, A>;
+  static constexpr bool known = true;
+  using Bits = xsimd::batch<std::conditional_t<sizeof(L) == 8, std::uint64_t, std::uint32_t>, A>;
+
+  static Bits bits(const Pack& x) noexcept { return xsimd::bitwise_cast<Bits>(x); }
+  static Pack number(const Bits& bits) noexcept { return xsimd::bitwise_cast<Pack>(bits); }
+  static Pack nearest(const Pack& x) noexcept { return xsimd::nearbyint(x); }
 };
 
 template <>
