@@ -12,6 +12,7 @@ cmake --preset release -B build/examples -DCONTACTLAWS_BUILD_TESTS=OFF -DCONTACT
 cmake --build build/examples -j "$(nproc)"
 
 build/examples/bin/first_contact
+build/examples/bin/verify_your_law build/results/verify_your_law
 wrong=0
 build/examples/bin/memo build/results || wrong=$?
 build/examples/bin/contact_curves build/results || wrong=$?

@@ -2,7 +2,7 @@
 """Reads the headers as text and fails where one breaks a rule of the house:
 
 - includes run strictly downwards, by the table of layers below;
-- the core includes nothing but Eigen and the standard library (adapt/ may include what it adapts);
+- the core and verify/ include nothing but Eigen and the standard library (adapt/ may include what it adapts);
 - mathematics is called unqualified, so that every scalar brings its own: `using std::sqrt; sqrt(x)`;
 - a header has one subject, and no more than 250 lines.
 """
@@ -22,6 +22,13 @@ LAYERS = [
     "pohrt_popov_incremental",
     "laws batch timestep energy",
     "contactlaws",
+    "verify/adapter verify/options",
+    "verify/path verify/adapt",
+    "verify/report verify/shrink verify/random_paths",
+    "verify/trial",
+    "verify/symmetries verify/limits verify/histories verify/energies",
+    "verify/impacts",
+    "verify/verify",
 ]
 LAYER = {f"{name}.hpp": layer for layer, names in enumerate(LAYERS) for name in names.split()}
 LONGEST = 250
@@ -30,7 +37,7 @@ MATHEMATICS = """abs fabs sqrt cbrt hypot exp exp2 expm1 log log2 log10 log1p po
     sinh cosh tanh asinh acosh atanh fma fmin fmax min max floor ceil round copysign isfinite isnan isinf""".split()
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-OUR_OWN = re.compile(r"^(?:contactlaws/)?((?:adapt/)?\w+\.hpp)$")
+OUR_OWN = re.compile(r"^(?:contactlaws/)?((?:(?:adapt|verify)/)?\w+\.hpp)$")
 STANDARD_OR_EIGEN = re.compile(r"^(?:[a-z_0-9]+|Eigen/\w+)$")
 QUALIFIED = re.compile(rf"\bstd\s*::\s*({'|'.join(MATHEMATICS)})\s*[(<]")
 

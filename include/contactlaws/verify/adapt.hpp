@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// A ContactLaw as an adapter: our laws go through the same checks as anybody's.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contactlaws/verify/adapter.hpp"
+
+namespace contactlaws::verify {
+
+template <class Law>
+struct Adapted {
+  using T = typename Law::Scalar;
+  using State = typename Law::State;
+
+  Law law;
+  T young;  ///< effective modulus E* [Pa]
+  T shear;  ///< effective shear modulus G* [Pa]
+  State first{};
+
+  Interaction operator()(const Bodies& bodies, double dt, State& state) const {
+    const auto geometry = place(bodies);
+    const auto motion =
+        contact_kinematics<double>(geometry, {bodies.one.position, bodies.one.velocity, bodies.one.spin},
+                                   {bodies.two.position, bodies.two.velocity, bodies.two.spin}, dt);
+    const auto step = law.step(pair(bodies), motion.template cast<T>(), state);
+    state = step.state;
+    const Vector force = step.force.template cast<double>();
+    return {force, Vector(-force), Vector(geometry.arm1.cross(Vector(-force))), Vector(geometry.arm2.cross(force)),
+            static_cast<double>(step.attraction)};
+  }
+
+  State start() const { return first; }
+  std::vector<double> store(const State& state) const {
+    std::vector<T> values(Law::state_size);
+    Law::store(state, values.data());
+    return {values.begin(), values.end()};
+  }
+  State load(const std::vector<double>& values) const {
+    const std::vector<T> kept(values.begin(), values.end());
+    return Law::load(kept.data());
+  }
+  State exchanged(const State& state) const {
+    std::vector<double> values = store(state);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= Law::exchange_sign(i);
+    return load(values);
+  }
+  Adapted in_units(const Units& units) const {
+    const auto slot = [&units](auto s) {
+      for (const auto& p : decltype(s)::parameters()) s.*p.member = T(s.*p.member * factor(units, p.unit));
+      return s;
+    };
+    std::vector<double> values = store(first);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= factor(units, Law::state_values()[i].unit);
+    const Law other{slot(law.normal), slot(law.damping), slot(law.shear), slot(law.bridge)};
+    return {other, T(young * units.pressure()), T(shear * units.pressure()), load(values)};
+  }
+  /// The slopes of the springs, of the branch that is active: Law::stiffness() tells the stiffest, for the time step.
+  ContactStiffness<double> stiffness(const Bodies& bodies, const State& state) const {
+    State scratch = state;
+    const auto response = law.normal.respond(scratch, pair(bodies), T(positive_part<double>(place(bodies).overlap)));
+    T along = T(0);
+    if constexpr (decltype(law.shear)::resists) along = law.shear.stiffness(pair(bodies), response);
+    return {static_cast<double>(response.stiffness), static_cast<double>(along)};
+  }
+
+ private:
+  static ContactGeometry<double> place(const Bodies& b) {
+    return meet_spheres<double>(b.one.position, b.one.radius, b.two.position, b.two.radius);
+  }
+  PairProperties<T> pair(const Bodies& b) const {
+    const double radius = 1 / (1 / b.one.radius + 1 / b.two.radius), mass = 1 / (1 / b.one.mass + 1 / b.two.mass);
+    return {T(radius),
+            young,
+            shear,
+            T(mass),
+            T(smaller<double>(b.one.radius, b.two.radius)),
+            T(b.one.radius + b.two.radius)};
+  }
+  static double factor(const Units& units, const std::string& unit) {
+    if (unit == "m") return units.length;
+    if (unit == "N") return units.force();
+    if (unit == "N/m") return units.stiffness();
+    if (unit == "Pa") return units.pressure();
+    return 1.0;
+  }
+};
+
+/// The law between two spheres of these effective moduli; radii and masses are those of the options. `first`: the state in
+/// which a contact starts, e.g. wetted.
+template <class Law>
+Adapted<Law> adapt(const Law& law, const PairProperties<typename Law::Scalar>& pair,
+                   const typename Law::State& first = {}) {
+  return {law, pair.young, pair.shear, first};
+}
+
+}  // namespace contactlaws::verify

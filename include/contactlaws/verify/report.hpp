@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What came out: a result per property, as data and as a table.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <iomanip>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "contactlaws/verify/path.hpp"
+
+namespace contactlaws::verify {
+
+enum class Verdict {
+  pass,
+  fail,
+  not_claimed,  ///< the law does not promise it (Claims)
+  not_offered   ///< the law does not answer what the property asks (adapter.hpp)
+};
+
+/// How far off a law was, and how far it may be.
+struct Finding {
+  double error = 0.0;
+  double allowed = 0.0;
+
+  bool failed() const { return !(error <= allowed); }  // a NaN fails
+};
+
+struct Result {
+  std::string property;
+  Verdict verdict = Verdict::pass;
+  Finding worst{};  ///< of all that was tried; what of, `measure` says
+  std::string measure{};
+  Path path{};         ///< a failure's: reduced to the steps that still show it, to a tenth of the worst at least
+  std::string file{};  ///< where the path was written, if it was
+};
+
+struct Report {
+  std::uint64_t seed = 0;
+  std::vector<Result> results{};
+
+  bool passed() const {
+    return std::none_of(results.begin(), results.end(), [](const Result& r) { return r.verdict == Verdict::fail; });
+  }
+  /// The result of that property, or null.
+  const Result* find(const std::string& property) const {
+    const auto it =
+        std::find_if(results.begin(), results.end(), [&](const Result& r) { return r.property == property; });
+    return it == results.end() ? nullptr : &*it;
+  }
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Report& report) {
+  const auto digits = out.precision(2);
+  for (const Result& r : report.results) {
+    out << "  " << std::left << std::setw(24) << r.property;
+    if (r.verdict == Verdict::not_claimed || r.verdict == Verdict::not_offered) {
+      out << (r.verdict == Verdict::not_claimed ? "-     not claimed" : "-     not offered") << '\n';
+      continue;
+    }
+    out << (r.verdict == Verdict::pass ? "pass  " : "FAIL  ") << std::setw(8) << r.worst.error << " (allowed "
+        << r.worst.allowed << ") " << r.measure;
+    if (r.verdict == Verdict::fail) {
+      out << "; in " << r.path.size() << (r.path.size() == 1 ? " step" : " steps");
+      if (!r.file.empty()) out << ": " << r.file;
+    }
+    out << '\n';
+  }
+  const auto count = [&report](Verdict verdict) {
+    return std::count_if(report.results.begin(), report.results.end(),
+                         [verdict](const Result& r) { return r.verdict == verdict; });
+  };
+  out << "  " << count(Verdict::pass) << " pass, " << count(Verdict::fail) << " fail, " << count(Verdict::not_claimed)
+      << " not claimed, " << count(Verdict::not_offered) << " not offered; seed " << report.seed << '\n';
+  out.precision(digits);
+  return out;
+}
+
+}  // namespace contactlaws::verify
