@@ -1,0 +1,60 @@
+// Two kinds of random paths that finite.cpp and forces.cpp try: what happens to a contact in the field, and at the edges.
+#pragma once
+
+#include "laws_along_paths.hpp"
+
+namespace contactlaws::test {
+
+/// What happens to a contact in the field: grains from a micrometre to a metre, from gel to steel.
+struct Field {
+  static constexpr int length = 10;
+  Path path(Random& random) const { return random_path(random, length); }
+  template <class Law>
+  void tune(Law&, Random&) const {}
+};
+
+/// What happens to it at the edges of everything: planes, rigid and fixed sides, size ratios to 1e9, nu at both its ends,
+/// overlaps from the smallest denormal to the radius, jumps from separation to full overlap in one step, steps over 12
+/// decades, no friction or 1e9 of it, no dashpots or alpha = 1.
+struct Edges {
+  static constexpr int length = 6;
+  double denormal;  ///< the smallest number of the precision at hand
+
+  Path path(Random& random) const {
+    const auto material = [&random] {
+      const double poisson[] = {-1.0 + 1e-6, -0.5, 0.0, 0.3, 0.5 - 1e-7, 0.5};
+      return ElasticMaterial<double>{random.log_uniform(1e3, 1e12), poisson[random.engine() % 6],
+                                     random.log_uniform(1.0, 3e4)};
+    };
+    const double radius = random.log_uniform(1e-5, 1.0), other = radius * random.log_uniform(1e-4, 1e5);
+    const double nine_decades = radius * (random.chance(0.5) ? 1e9 : 1.0);
+    const Side<double> one = sphere(material(), radius);
+    const Side<double> sides[] = {
+        sphere(material(), other),      sphere(material(), nine_decades),  plane(material()),
+        plane(material()).rigid(),      sphere(material(), other).fixed(), sphere(material(), other).rigid().fixed(),
+        concave(material(), 2 * radius)};
+    Path path{pair_properties(sides[random.engine() % 7], one), {}, random.chance(0.5)};
+    const double dt = random.log_uniform(1e-12, 1.0);
+    for (int i = 0; i < length; ++i) {
+      const double overlaps[] = {
+          denormal, 2 * denormal,     0.0,           -denormal,
+          1e-30,    path.pair.radius, -1e3 * radius, path.pair.radius * random.log_uniform(1e-15, 1.0)};
+      const Vec3<double> axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
+      const Vec3<double> normal = random.chance(0.3) ? axes[random.engine() % 3] : random.direction();
+      const Vec3<double> way = random.chance(0.2) ? normal : random.direction();
+      const double speed = random.chance(0.2) ? 0.0 : random.log_uniform(denormal, 1e6);
+      path.steps.push_back({normal, overlaps[random.engine() % 8], speed * way, random.chance(0.05) ? 0.0 : dt,
+                            random.chance(0.5) ? 0.0 : random.uniform(-3.0, 3.0) / dt});
+    }
+    return path;
+  }
+  template <class Law>
+  void tune(Law& law, Random& random) const {
+    using T = typename Law::Scalar;
+    if constexpr (has_shear<Law>) law.shear.friction = T(random.chance(0.3) ? 0.0 : random.chance(0.5) ? 1e9 : 0.5);
+    if constexpr (decltype(law.damping)::dissipates) law.damping.damping_constant = T(random.chance(0.5) ? 0.0 : 1.0);
+    if constexpr (has_bridge<Law>) law.bridge.suction = T(random.chance(0.5) ? 0.0 : 1e9);
+  }
+};
+
+}  // namespace contactlaws::test
