@@ -177,6 +177,27 @@ TEST_CASE("The next state may go elsewhere, and the state before stays") {
   CHECK(elsewhere == in_place.state);
 }
 
+TEST_CASE("The spin about the normal reaches the kernel") {
+  const Turning law = bench::granite<Turning>();
+  Host<Turning> host(mixed(13));
+  evaluate(law, host.batch(1e-7));  // so that there is a shear to turn
+  const Host<Turning> before = host;
+  const double spin = 1e6;  // a tenth of a radian in a step
+  ContactBatch<Turning> b = host.batch(1e-7);
+  b.spin = spin;
+  evaluate<Turning, double>(law, b);  // one lane wide: a pack's sine has other digits
+  for (std::size_t c = 1; c <= host.count; ++c) {
+    const auto vector = [c](const auto& v) { return Vec3<double>(v[0][c], v[1][c], v[2][c]); };
+    std::array<double, Turning::state_size> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = before.state[i][c];
+    const PairProperties<double> pair{before.radius[c], before.young[c],          before.shear[c],
+                                      before.mass[c],   before.smaller_radius[c], before.length[c]};
+    const auto step = law.step(pair, {vector(before.normal), before.overlap[c], vector(before.velocity), 1e-7, spin},
+                               Turning::load(values.data()));
+    CHECK(vector(host.force) == step.force);
+  }
+}
+
 TEST_CASE("Without packs a batch is one lane wide") {
   using Law = DryHill<double>;
   const Law law = bench::granite<Law>();
