@@ -77,8 +77,8 @@ class Trial {
   double length() const { return options.radius1 + options.radius2; }
 
   /// Rounding that a force may show, relative to the largest: the overlap is a difference of lengths, so their rounding
-  /// is multiplied by length/overlap; it adds up over some 20 steps, each of a few dozen roundings.
-  double rounding() const { return 1000 * options.epsilon * length() / options.overlap; }
+  /// is multiplied by length/overlap; a hundred of them: 20 steps with a few each. Seen of our laws: three.
+  double rounding() const { return 100 * options.epsilon * length() / options.overlap; }
 
   /// A step from the last: overlap [m] and slip [m] across the normal, in a tenth of the natural time.
   Motion move(const Vector& normal, double overlap, const Vector& slip = Vector(0, 0, 0)) const {
