@@ -66,7 +66,8 @@ void make_wet(WetScene& scene) {
   scene.ball_contacts.set_state(0, state);
 }
 
-std::set<std::pair<int, int>> near_by_brute_force(const std::vector<V>& x, const std::vector<double>& radius,
+template <class Position>
+std::set<std::pair<int, int>> near_by_brute_force(const std::vector<Position>& x, const std::vector<double>& radius,
                                                   const std::vector<double>& reach) {
   std::set<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < x.size(); ++i)

@@ -80,7 +80,7 @@ TEST_CASE("the law asked again about one contact says what its pack was told") {
       touching += contact.response.active;
       sliding += contact.response.sliding;
       for (std::size_t i = 0; i < 3; ++i) {
-        REQUIRE(scene.ball_contacts.force[i][c] == contact.response.force[static_cast<int>(i)]);
+        REQUIRE(scene.ball_contacts.force[c][static_cast<int>(i)] == contact.response.force[static_cast<int>(i)]);
         REQUIRE(scene.ball_contacts.state(c).shear[i] == contact.response.state.shear[i]);
       }
     }
@@ -98,8 +98,7 @@ TEST_CASE("a wet contact differs from its pack by the rounding of exp alone") {
     scene.step();
     for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {
       const auto contact = scene.ball_contact(c);
-      const V in_pack(scene.ball_contacts.force[0][c], scene.ball_contacts.force[1][c],
-                      scene.ball_contacts.force[2][c]);
+      const V in_pack = scene.ball_contacts.force[c];
       pulling += contact.response.attraction > 0.0 && contact.geometry.overlap < 0.0;
       const double size = std::abs(contact.response.surface) + contact.response.attraction;
       REQUIRE((in_pack - contact.response.force).norm() <= 1e-15 * size);

@@ -11,8 +11,6 @@
 
 namespace dem {
 
-using Vec3 = contactlaws::Vec3<double>;
-
 /// A ball as it enters a scene.
 struct Ball {
   contactlaws::Side<double> side;  ///< radius, mass and elasticity: contactlaws::sphere(material, radius)
@@ -33,11 +31,11 @@ inline contactlaws::PairProperties<double> twins(const contactlaws::Side<double>
 }
 
 struct Balls {
-  std::vector<Vec3> position;                   ///< [m], at the time of the scene
-  std::vector<Vec3> velocity;                   ///< [m/s], half a step earlier
-  std::vector<Vec3> spin;                       ///< [rad/s], half a step earlier
-  std::vector<Vec3> force;                      ///< of all contacts [N]
-  std::vector<Vec3> moment;                     ///< of all contacts, about the centre [N m]
+  std::vector<Row> position;                    ///< [m], at the time of the scene; and the radius
+  std::vector<Row> velocity;                    ///< [m/s], half a step earlier
+  std::vector<Row> spin;                        ///< [rad/s], half a step earlier
+  std::vector<Row> force;                       ///< of all contacts [N]
+  std::vector<Row> moment;                      ///< of all contacts, about the centre [N m]
   std::vector<double> radius;                   ///< [m]
   std::vector<double> mass;                     ///< [kg]
   std::vector<double> inertia;                  ///< 2/5 m R^2 [kg m^2]
@@ -54,22 +52,17 @@ struct Balls {
     contactlaws::require_in(Range::positive(), r, "Ball", "radius", "m");
     if (ball.free) contactlaws::require_in(Range::positive(), m, "Ball", "mass", "kg");
     position.push_back(ball.position);
+    position.back().more = r;
     velocity.push_back(ball.velocity);
     spin.push_back(ball.spin);
-    force.push_back(Vec3::Zero());
-    moment.push_back(Vec3::Zero());
+    force.emplace_back();
+    moment.emplace_back();
     radius.push_back(r);
     mass.push_back(m);
     inertia.push_back(0.4 * m * r * r);
     side.push_back(ball.side);
     free.push_back(ball.free);
     return static_cast<int>(size()) - 1;
-  }
-
-  /// Of one ball, or of a ball in each lane.
-  template <class T>
-  CONTACTLAWS_HD contactlaws::BodyMotion<T> motion(const Ids<T>& ids) const {
-    return {gather<T>(position, ids), gather<T>(velocity, ids), gather<T>(spin, ids)};
   }
 };
 

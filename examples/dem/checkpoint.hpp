@@ -15,12 +15,14 @@ namespace dem {
 
 namespace detail {
 
-inline nlohmann::json to_json(const std::vector<Vec3>& vectors) {
+template <class Vector>
+nlohmann::json to_json(const std::vector<Vector>& vectors) {
   nlohmann::json list = nlohmann::json::array();
   for (const Vec3& v : vectors) list.push_back({v.x(), v.y(), v.z()});
   return list;
 }
-inline void from_json(const nlohmann::json& list, std::vector<Vec3>& vectors) {
+template <class Vector>
+void from_json(const nlohmann::json& list, std::vector<Vector>& vectors) {
   for (std::size_t i = 0; i < vectors.size(); ++i)
     vectors[i] = Vec3(list.at(i).at(0), list.at(i).at(1), list.at(i).at(2));
 }

@@ -30,10 +30,22 @@ struct Look {
   contactlaws::Step<T, State> response;      ///< to that motion
 };
 
+/// What contacts do to a body, added up.
+struct Load {
+  Eigen::Vector4d force = Eigen::Vector4d::Zero();    ///< [N]
+  Eigen::Vector4d twist = Eigen::Vector4d::Zero();    ///< see Contacts::twist [N]
+  Eigen::Vector4d shorter = Eigen::Vector4d::Zero();  ///< half the overlap of each, times its twist [N m]
+
+  /// About the centre of a ball [N m]: its arms are shorter than its radius by half an overlap.
+  Eigen::Vector4d moment(double radius) const {
+    return (radius * twist - shorter).cwiseProduct(Eigen::Vector4d(1.0, 1.0, 1.0, 0.0));
+  }
+};
+
 /// For each body, which contacts it has: those at `contacts[start[body]]` to before `contacts[start[body + 1]]`, ascending.
 struct ContactsOfBody {
-  std::vector<std::size_t> start;
-  std::vector<std::size_t> contacts;
+  std::vector<int> start;
+  std::vector<int> contacts;
 
   template <class BodyOf>
   void list(std::size_t bodies, std::size_t count, const BodyOf& body_of) {
@@ -41,8 +53,9 @@ struct ContactsOfBody {
     contacts.resize(count);
     for (std::size_t c = 0; c < count; ++c) ++start[body_of(c) + 1];
     for (std::size_t b = 0; b < bodies; ++b) start[b + 1] += start[b];
-    std::vector<std::size_t> next = start;
-    for (std::size_t c = 0; c < count; ++c) contacts[next[body_of(c)]++] = c;
+    std::vector<int> next = start;
+    for (std::size_t c = 0; c < count; ++c)
+      contacts[static_cast<std::size_t>(next[body_of(c)]++)] = static_cast<int>(c);
   }
 };
 
@@ -51,13 +64,15 @@ class Contacts {
  public:
   using State = typename Law::State;
 
-  std::vector<Pair> bodies;                  ///< of each contact
-  contactlaws::PairProperties<Column> pair;  ///< computed once, when the contact is listed
-  std::array<Column, 3> force;               ///< on body 2 [N]
-  std::array<Column, 3> moment1;             ///< about the centre of body 1 [N m]
-  std::array<Column, 3> moment2;             ///< about the centre of body 2 [N m]
+  /// One quantity of every contact: a column, or a number that serves all.
+  using Pairs = contactlaws::PairProperties<contactlaws::Column<double>>;
 
-  std::size_t size() const { return bodies.size(); }
+  // Columns are as long as whole packs: the last is filled up with copies of the last contact, which nobody looks at.
+  std::vector<Pair> bodies;  ///< of each contact
+  std::vector<Row> force;    ///< on body 2 [N]
+  std::vector<Row> twist;    ///< force x normal [N], either body's moment by its arm; and half the overlap [m]
+
+  std::size_t size() const { return size_; }
   std::size_t first(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].first); }
   std::size_t second(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].second); }
 
@@ -71,8 +86,7 @@ class Contacts {
 
   template <class T>
   CONTACTLAWS_HD contactlaws::PairProperties<T> pair_at(std::size_t contact) const {
-    return {load<T>(pair.radius, contact), load<T>(pair.young, contact),          load<T>(pair.shear, contact),
-            load<T>(pair.mass, contact),   load<T>(pair.smaller_radius, contact), load<T>(pair.length, contact)};
+    return pair_at<T>(pairs(), contact);
   }
 
   /// Lists those of `candidates` that are near enough, with histories carried over and new contacts virgin.
@@ -109,12 +123,12 @@ class Contacts {
   CONTACTLAWS_FLATTEN void ask(const Law& law, const Meet& meet, std::size_t first, std::size_t last) {
     const auto law_of_packs = law.template cast<PackT>();
     using PackLaw = typename Law::template Rebind<PackT>;
+    const Pairs all_pairs = pairs();
     for (std::size_t c = first; c < last; c += lanes<PackT>) {
-      const Look<PackT, typename PackLaw::State> look = look_at<PackT>(law_of_packs, meet, c);
+      const Look<PackT, typename PackLaw::State> look = look_at<PackT>(law_of_packs, meet, all_pairs, c);
       const contactlaws::Vec3<PackT>& push = look.response.force;
-      store(force, c, push);
-      store(moment1, c, contactlaws::Vec3<PackT>(push.cross(look.geometry.arm1)));
-      store(moment2, c, contactlaws::Vec3<PackT>(look.geometry.arm2.cross(push)));
+      dem::store<PackT>(force, c, {push, PackT(0.0)});
+      dem::store<PackT>(twist, c, {push.cross(look.geometry.normal), look.geometry.overlap / PackT(2.0)});
       std::array<PackT, Law::state_size> values{};
       PackLaw::store(look.response.state, values.data());
       for (std::size_t i = 0; i < values.size(); ++i) dem::store(now_[i], c, values[i]);
@@ -124,56 +138,76 @@ class Contacts {
   /// What contact number `contact` answered at the last step. A step is pure: whoever wants more than the force asks again.
   template <class Meet>
   Look<double, State> look(const Law& law, const Meet& meet, std::size_t contact) const {
-    return look_at<double>(law, meet, contact);
+    return look_at<double>(law, meet, pairs(), contact);
   }
 
-  /// Adds up what the contacts do to a body that comes first in them, or second.
-  void add_first(std::size_t body, Vec3& sum_of_forces, Vec3& sum_of_moments) const {
-    for (std::size_t k = of_first_.start[body]; k < of_first_.start[body + 1]; ++k) {
-      const std::size_t c = of_first_.contacts[k];
-      sum_of_forces -= Vec3(force[0][c], force[1][c], force[2][c]);
-      sum_of_moments += Vec3(moment1[0][c], moment1[1][c], moment1[2][c]);
+  /// Adds what the contacts do to a body that comes first in them, or second.
+  void add_first(std::size_t body, Load& load) const {
+    for (int k = of_first_.start[body]; k < of_first_.start[body + 1]; ++k) {
+      const auto c = static_cast<std::size_t>(k);  // contacts are sorted by their first body
+      load.force -= force[c].four();
+      load.twist += twist[c].four();
+      load.shorter += twist[c].more * twist[c].four();
     }
   }
-  void add_second(std::size_t body, Vec3& sum_of_forces, Vec3& sum_of_moments) const {
-    for (std::size_t k = of_second_.start[body]; k < of_second_.start[body + 1]; ++k) {
-      const std::size_t c = of_second_.contacts[k];
-      sum_of_forces += Vec3(force[0][c], force[1][c], force[2][c]);
-      sum_of_moments += Vec3(moment2[0][c], moment2[1][c], moment2[2][c]);
+  void add_second(std::size_t body, Load& load) const {
+    for (int k = of_second_.start[body]; k < of_second_.start[body + 1]; ++k) {
+      const auto c = static_cast<std::size_t>(of_second_.contacts[static_cast<std::size_t>(k)]);
+      load.force += force[c].four();
+      load.twist += twist[c].four();
+      load.shorter += twist[c].more * twist[c].four();
     }
   }
 
  private:
   using History = std::array<Column, Law::state_size>;
 
-  History before_;  ///< what the last step started from
+  std::size_t size_ = 0;
+  contactlaws::PairProperties<Column> pair_;  ///< computed when a contact is listed; one number where all are alike
+  History before_;                            ///< what the last step started from
   History now_;
   ContactsOfBody of_first_, of_second_;
 
   void add(const Pair& ids, const contactlaws::PairProperties<double>& p) {
+    ++size_;
     bodies.push_back(ids);
-    pair.radius.push_back(p.radius);
-    pair.young.push_back(p.young);
-    pair.shear.push_back(p.shear);
-    pair.mass.push_back(p.mass);
-    pair.smaller_radius.push_back(p.smaller_radius);
-    pair.length.push_back(p.length);
+    pair_.radius.push_back(p.radius);
+    pair_.young.push_back(p.young);
+    pair_.shear.push_back(p.shear);
+    pair_.mass.push_back(p.mass);
+    pair_.smaller_radius.push_back(p.smaller_radius);
+    pair_.length.push_back(p.length);
   }
 
-  /// Makes columns as long as whole packs: the last is filled up with copies of the last contact, which nobody looks at.
   void fill_up() {
-    const std::size_t length = (size() + lanes<PackT> - 1) / lanes<PackT> * lanes<PackT>;
-    for (Column* column : {&pair.radius, &pair.young, &pair.shear, &pair.mass, &pair.smaller_radius, &pair.length})
-      if (length > 0) column->resize(length, column->back());
-    for (std::array<Column, 3>* vector : {&force, &moment1, &moment2})
-      for (Column& column : *vector) column.resize(length);
+    if (size_ == 0) return;
+    const std::size_t length = (size_ + lanes<PackT> - 1) / lanes<PackT> * lanes<PackT>;
+    bodies.resize(length, bodies.back());
+    for (Column* column :
+         {&pair_.radius, &pair_.young, &pair_.shear, &pair_.mass, &pair_.smaller_radius, &pair_.length}) {
+      const bool alike = std::equal(column->begin() + 1, column->end(), column->begin());
+      column->resize(alike ? 1 : length, column->back());
+    }
     for (History* history : {&before_, &now_})
       for (Column& column : *history) column.resize(length);
+    force.resize(length);
+    twist.resize(length);
   }
 
+  Pairs pairs() const {
+    const auto column = [](const Column& c) {
+      return c.size() == 1 ? contactlaws::Column<double>(c[0]) : contactlaws::Column<double>(c.data());
+    };
+    return {column(pair_.radius), column(pair_.young),          column(pair_.shear),
+            column(pair_.mass),   column(pair_.smaller_radius), column(pair_.length)};
+  }
   template <class T>
-  CONTACTLAWS_HD static void store(std::array<Column, 3>& columns, std::size_t first, const contactlaws::Vec3<T>& v) {
-    for (int i = 0; i < 3; ++i) dem::store<T>(columns[static_cast<std::size_t>(i)], first, v[i]);
+  CONTACTLAWS_HD static contactlaws::PairProperties<T> pair_at(const Pairs& pairs, std::size_t contact) {
+    const auto at = [contact](const contactlaws::Column<double>& column) {
+      return column.array() ? contactlaws::ScalarTraits<T>::load(column.array() + contact) : T(column.same());
+    };
+    return {at(pairs.radius), at(pairs.young),          at(pairs.shear),
+            at(pairs.mass),   at(pairs.smaller_radius), at(pairs.length)};
   }
 
   template <class T>
@@ -186,14 +220,14 @@ class Contacts {
   /// One contact (T = double), or the pack that starts with it. A contact beyond the law's range is forgotten, so that no
   /// result depends on how long the list still holds it.
   template <class T, class LawT, class Meet>
-  CONTACTLAWS_HD Look<T, typename LawT::State> look_at(const LawT& law, const Meet& meet, std::size_t contact) const {
+  CONTACTLAWS_HD Look<T, typename LawT::State> look_at(const LawT& law, const Meet& meet, const Pairs& all_pairs,
+                                                       std::size_t contact) const {
     std::array<std::size_t, lanes<T>> one, two;
     for (std::size_t l = 0; l < lanes<T>; ++l) {
-      const std::size_t c = std::min(contact + l, size() - 1);
-      one[l] = first(c);
-      two[l] = second(c);
+      one[l] = first(contact + l);
+      two[l] = second(contact + l);
     }
-    const contactlaws::PairProperties<T> p = pair_at<T>(contact);
+    const contactlaws::PairProperties<T> p = pair_at<T>(all_pairs, contact);
     const Meeting<T> meeting = meet.template at<T>(one, two);
     auto response = law.step(p, meeting.motion, state_at<T>(before_, contact));
     const contactlaws::Mask<T> beyond = -meeting.geometry.overlap > law.interaction_range(p);

@@ -42,8 +42,9 @@ struct RowEntry {
 
 /// All pairs (first < second, in no particular order) whose gap is at most `reach` of the larger ball (of the later, where
 /// both are equal) [m]. @throws std::runtime_error naming a ball whose position is not finite
-inline std::vector<Pair> find_neighbours(const std::vector<Vec3>& position, const std::vector<double>& radius,
-                                         const std::vector<double>& reach) {
+template <class Position>
+std::vector<Pair> find_neighbours(const std::vector<Position>& position, const std::vector<double>& radius,
+                                  const std::vector<double>& reach) {
   using detail::RowEntry;
   const std::size_t count = position.size();
   if (count == 0) return {};

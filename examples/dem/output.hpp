@@ -71,7 +71,7 @@ inline void write_balls_vtk(const std::string& path, const Balls& balls) {
   file << "POINT_DATA " << count << '\n';
   detail::write_field(file, detail::scalars("radius"), count, [&](std::size_t i) { return balls.radius[i]; });
   detail::write_field(file, detail::scalars("id"), count, [&](std::size_t i) { return i; });
-  const auto field = [&](const char* name, const std::vector<Vec3>& values) {
+  const auto field = [&](const char* name, const std::vector<Row>& values) {
     detail::write_field(file, detail::vectors(name), count, [&](std::size_t i) { return values[i].format(in_a_line); });
   };
   field("velocity", balls.velocity);

@@ -120,10 +120,12 @@ class Simulation {
   }
 
  private:
+  using Vec4 = Eigen::Vector4d;
+
   bool started_ = false;
-  double last_dt_ = 0.0;         ///< over which contacts were last asked to move [s]
-  double margin_ = 0.0;          ///< how far neighbours were listed beyond the laws' reach [m]
-  std::vector<Vec3> listed_at_;  ///< where balls, then walls, were when neighbours were listed [m]
+  double last_dt_ = 0.0;        ///< over which contacts were last asked to move [s]
+  double margin_ = 0.0;         ///< how far neighbours were listed beyond the laws' reach [m]
+  std::vector<Row> listed_at_;  ///< where balls, then walls, were when neighbours were listed [m]
 
   static std::size_t checked_id(int id, std::size_t count, const char* kind) {
     contactlaws::require_in({0.0, static_cast<double>(count), true, false}, id, "Simulation", kind, "1");
@@ -133,7 +135,7 @@ class Simulation {
   /// A line for two bodies that overlap by more than a tenth of the smaller radius.
   template <class Contacts>
   void warn_of_overlap(const Contacts& contacts, const char* first_kind, std::size_t c, double overlap) const {
-    const double allowed = contacts.pair.smaller_radius[c] / 10.0;
+    const double allowed = contacts.template pair_at<double>(c).smaller_radius / 10.0;
     if (overlap > allowed)
       *log << "warning: " << first_kind << ' ' << contacts.first(c) << " and ball " << contacts.second(c)
            << " start with an overlap of " << overlap << " m, more than a tenth of the smaller radius (" << allowed
@@ -147,15 +149,17 @@ class Simulation {
   bool move(double kick, double drift) {
     const double allowed = margin_ * margin_ / 4.0;
     std::atomic<bool> far{false};
-    in_parallel(threads, balls.size(), 1, [this, kick, drift, allowed, &far](std::size_t first, std::size_t last) {
+    const Vec4 acceleration(gravity.x(), gravity.y(), gravity.z(), 0.0);
+    in_parallel(threads, balls.size(), 1, [&, this](std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) {
+        auto position = balls.position[b].four(), velocity = balls.velocity[b].four(), spin = balls.spin[b].four();
         if (balls.free[b]) {
-          const Vec3 force = balls.force[b] + balls.mass[b] * gravity;
-          balls.velocity[b] += damped(force, balls.velocity[b]) * (kick / balls.mass[b]);
-          balls.spin[b] += damped(balls.moment[b], balls.spin[b]) * (kick / balls.inertia[b]);
+          const Vec4 force = balls.force[b].four() + balls.mass[b] * acceleration;
+          velocity += damped(force, velocity) * (kick / balls.mass[b]);
+          spin += damped(balls.moment[b].four(), spin) * (kick / balls.inertia[b]);
         }
-        balls.position[b] += balls.velocity[b] * drift;
-        if ((balls.position[b] - listed_at_[b]).squaredNorm() > allowed) far = true;
+        position += velocity * drift;
+        if ((position - listed_at_[b].four()).squaredNorm() > allowed) far = true;
       }
     });
     for (std::size_t w = 0; w < walls.size(); ++w) {
@@ -166,9 +170,9 @@ class Simulation {
   }
 
   /// What local damping leaves of an unbalanced force or moment F: F - alpha |F| sign(v), per component (Itasca).
-  Vec3 damped(const Vec3& load, const Vec3& velocity) const {
+  Vec4 damped(const Vec4& load, const Vec4& velocity) const {
     if (!(local_damping > 0.0)) return load;
-    Vec3 left = load;
+    Vec4 left = load;
     for (int i = 0; i < 3; ++i) {
       if (velocity[i] > 0.0) left[i] -= local_damping * std::abs(load[i]);
       if (velocity[i] < 0.0) left[i] += local_damping * std::abs(load[i]);
@@ -216,18 +220,18 @@ class Simulation {
     wall_contacts.ask(wall_law, wall_meets_ball(), 0, wall_contacts.size());
     in_parallel(threads, balls.size(), 1, [this](std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) {
-        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-        ball_contacts.add_second(b, force, moment);  // the other ball has the lower id: in the order of the list
-        ball_contacts.add_first(b, force, moment);
-        wall_contacts.add_second(b, force, moment);
-        balls.force[b] = force;
-        balls.moment[b] = moment;
+        Load load;
+        ball_contacts.add_second(b, load);  // the other ball has the lower id: in the order of the list
+        ball_contacts.add_first(b, load);
+        wall_contacts.add_second(b, load);
+        balls.force[b].four() = load.force;
+        balls.moment[b].four() = load.moment(balls.radius[b]);
       }
     });
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      Vec3 moment = Vec3::Zero();  // a wall does not turn
-      walls[w].force = Vec3::Zero();
-      wall_contacts.add_first(w, walls[w].force, moment);
+      Load load;
+      wall_contacts.add_first(w, load);
+      walls[w].force = load.force.head<3>();
     }
   }
 };
