@@ -5,8 +5,8 @@ cd "$(dirname "$0")/.."
 
 # shellcheck source=cmake/install_packages.sh
 . cmake/install_packages.sh
-install_packages g++ make cmake pkg-config python3 libeigen3-dev catch2 'libboost1.81-dev|libboost-dev' libxsimd-dev \
-  nlohmann-json3-dev libtomlplusplus-dev libcli11-dev clang libclang-rt-dev \
+install_packages g++ make cmake pkg-config python3 python3-mpmath libeigen3-dev catch2 'libboost1.81-dev|libboost-dev' \
+  libxsimd-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev clang libclang-rt-dev \
   'clang-format-14|clang-format' 'clang-tidy-14|clang-tidy'
 
 only_tests='-DCONTACTLAWS_BUILD_BENCH=OFF -DCONTACTLAWS_BUILD_EXAMPLES=OFF'

@@ -115,7 +115,7 @@ def there(compiler):
     return None
 
 
-def same_bits(effort):
+def same_bits():
     """Item 13."""
     rows, hashes = [], {}
     builds = [(compiler, [level, "-ffp-contract=off"]) for compiler in COMPILERS for level in LEVELS]
@@ -131,7 +131,8 @@ def same_bits(effort):
     other = [f"{law} {way}: {', '.join(b for b in by if by[b] != next(iter(by.values())))}"
              for (law, way), by in hashes.items() if len(set(by.values())) > 1]
     laws = len(hashes) - 1
-    rows.append(row(13, "same bits from " + ", ".join(first), len(other), "hashes of laws that differ", 0, laws, "; ".join(other)))
+    rows.append(row(13, "same bits from " + ", ".join(first), len(other), "hashes of laws that differ", 0, laws,
+                    "; ".join(other)))
     pairs = {law for law, way in hashes if way == "batch"}
     differ = [law for law in sorted(pairs) if hashes[law, "batch"] != hashes[law, "scalar"]]
     rows.append(row(13, "batch against scalar, in each of these builds", len(differ), "laws that differ", 0, len(pairs),
@@ -140,7 +141,7 @@ def same_bits(effort):
 
 
 def largest_difference(plain, fast):
-    """Of two outputs of `forces`: in the largest part of a force along the path; forces below the normal numbers left out."""
+    """Of two outputs of `forces`, in the largest part of a force along the path; paths of next to no force left out."""
     worst, where, count = 0.0, "", 0
     for law, other in zip(lines(plain), lines(fast)):
         for number, (path, same_path) in enumerate(zip(law["paths"], other["paths"])):
@@ -168,8 +169,8 @@ def fast_math(effort):
         for paths in "field", "edges":
             figure, where, count = largest_difference(*(
                 run([built("forces", found, flags), paths, *effort]) for flags in (EXACT, fast)))
-            rows.append(row(10, f"{compiler} -ffast-math against without, paths: {paths}", figure, "of the largest force", None,
-                            count, where, "published; denormal forces are flushed, so paths below 1e-280 N are left out"))
+            rows.append(row(10, f"{compiler} -ffast-math against without, paths: {paths}", figure, "of the largest force",
+                            None, count, where, "published; denormals are flushed, so paths below 1e-280 N are left out"))
         for r in lines(run([built("finite", found, fast), *effort])):
             if r["target"] == 0:
                 rows.append(dict(r, name=f"{compiler} -ffast-math: {r['name']}"))
@@ -184,7 +185,8 @@ def nsan(effort):
     flags = ["-O1", "-g", "-fsanitize=numerical", "-ffp-contract=off"]
     binary = built("forces", "clang++-19", flags)
     rows = []
-    for bits, target, reason in (30, 0, ""), (40, None, "published: components that cancel beside larger ones of their vector"):
+    cancels = "published: components that cancel beside larger ones of their vector"
+    for bits, target, reason in (30, 0, ""), (40, None, cancels):
         options = {
             "halt_on_error": 0,
             "log2_max_relative_error": bits,
@@ -203,21 +205,26 @@ def nsan(effort):
     return rows
 
 
-def script(item, name, command, effort):
-    """Another folder's part of the scoreboard, in the same format of rows."""
-    if not (ROOT / command[-1]).exists():
-        return [not_run(item, name, f"{command[-1]} is not there yet")]
-    return [dict(r, command=" ".join([*command, *effort])) for r in lines(run([*command, *effort]))]
+def script(item, name, command, full):
+    """Another folder's part of the scoreboard, in the same format of rows. Builds all tests anew: not in the quick look."""
+    text = " ".join(command)
+    if not (ROOT / command[1]).exists():
+        return [not_run(item, name, f"{command[1]} is not there")]
+    if not full:
+        return [not_run(item, name, f"not in the quick look: {text}")]
+    return lines(run(command))
 
 
-def jobs(effort):
+def jobs(full):
+    """Item, name, what yields its rows; what takes longest first."""
+    effort = ["--full"] if full else []
+    yield 13, "bits", same_bits
     for program in PROGRAMS:
         yield PROGRAMS[program][0][0], program, lambda program=program: measure(program, effort)
-    yield 13, "bits", lambda: same_bits(effort)
-    yield 10, "forces, finite with -ffast-math", lambda: fast_math(effort)
     yield 12, "NSan", lambda: nsan(effort)
-    yield 11, "fuzz", lambda: script(11, "fuzz", ["sh", "tests/fuzz/run.sh"], effort)
-    yield 16, "seeded faults", lambda: script(16, "seeded faults", ["python3", "tests/faults/run.py"], effort)
+    yield 10, "forces and finite under -ffast-math", lambda: fast_math(effort)
+    yield 11, "fuzz", lambda: script(11, "fuzz", ["sh", "tests/fuzz/run.sh", "--runs", "1000000000"], full)
+    yield 16, "seeded faults", lambda: script(16, "seeded faults", ["python3", "tests/faults/run.py"], full)
 
 
 def attempt(item, name, job):
@@ -276,9 +283,8 @@ def main():
     options = parser.parse_args()
     BUILD.mkdir(parents=True, exist_ok=True)
     RESULTS.parent.mkdir(parents=True, exist_ok=True)
-    effort = ["--full"] if options.full else []
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        parts = list(pool.map(lambda job: attempt(*job), jobs(effort)))
+        parts = list(pool.map(lambda job: attempt(*job), jobs(options.full)))
     rows = sorted((r for part in parts for r in part), key=lambda r: r["item"])
     board = dict(date=date.today().isoformat(), full=options.full, machine=machine(), rows=rows)
     fresh = RESULTS.with_suffix(".new")
