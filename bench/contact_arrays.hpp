@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <xsimd/xsimd.hpp>
+
 #include "contactlaws/batch.hpp"
 #include "contacts.hpp"
 
@@ -15,10 +17,11 @@ template <class Law>
 class ContactArrays {
  public:
   using T = typename Law::Scalar;
+  using Array = std::vector<T, xsimd::aligned_allocator<T, 64>>;  // packs are loaded from one cache line each
 
   explicit ContactArrays(const std::vector<Contact>& contacts) {
     const auto column = [&contacts](const auto& value_of) {
-      std::vector<T> values;
+      Array values;
       values.reserve(contacts.size());
       for (const Contact& c : contacts) values.push_back(static_cast<T>(value_of(c)));
       return values;
@@ -63,8 +66,8 @@ class ContactArrays {
   }
 
  private:
-  std::vector<T> radius_, mass_, smaller_radius_, length_, overlap_;
-  std::vector<std::vector<T>> there_, back_, velocity_, force_, state_;
+  Array radius_, mass_, smaller_radius_, length_, overlap_;
+  std::vector<Array> there_, back_, velocity_, force_, state_;
   T young_, shear_, dt_;
 };
 
