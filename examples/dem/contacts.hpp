@@ -218,7 +218,7 @@ class Contacts {
   }
 
   /// One contact (T = double), or the pack that starts with it. A contact beyond the law's range is forgotten, so that no
-  /// result depends on how long the list still holds it.
+  /// result depends on how long the list still holds it: a law that knows a spot again after a gap sees a new contact here.
   template <class T, class LawT, class Meet>
   CONTACTLAWS_HD Look<T, typename LawT::State> look_at(const LawT& law, const Meet& meet, const Pairs& all_pairs,
                                                        std::size_t contact) const {
