@@ -12,6 +12,7 @@ TEST_CASE("Linear: the granite grains of the hill memo, from an effective modulu
   LinearModulus<double>::State state;
   CHECK(law.normal_stiffness(pair) == Approx(1.82212373908208e8).epsilon(1e-14));  // 15 printed digits
   CHECK(law.respond(state, pair, 1e-4).force == Approx(18221.2373908).epsilon(1e-11));
+  CHECK(law.energy(state, pair, 1e-4) == Approx(0.91106186954104).epsilon(1e-14));  // k o^2/2
 }
 
 TEST_CASE("Linear: a ball on a wall has r = L = R, so k = E pi R") {

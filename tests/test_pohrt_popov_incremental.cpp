@@ -73,6 +73,15 @@ TEST_CASE("Increments: the elastic law comes back the way it went, the plastic o
   CHECK(plastic.energy(loaded, pair, 10e-6) == Approx(0.4 * force * depth).epsilon(1e-13));
 }
 
+TEST_CASE("Increments: a step back that overshoots ends without a force, not with a pull") {
+  const Plastic law = Plastic::of(surface, 1e-12);
+  Plastic::State state;
+  move(law, state, 0.0, 10e-6, 1000);
+  // Along Hertz's curve F/k is 2/3 of an indentation of 2 um: much less than the step, which ends still closed.
+  CHECK(law.respond(state, ballast_pair(), 1e-9).force == 0.0);
+  CHECK(state.normal_force == 0.0);
+}
+
 TEST_CASE("Increments: each response is the stiffness that the paper prints") {
   const PairProperties<double> pair = ballast_pair();
   const Plastic law = Plastic::of(surface, 0.0);
