@@ -158,7 +158,8 @@ struct PohrtPopov : RoughProfile<T, power> {
   }
 };
 
-/// Elasto-plastic. History: the largest overlap, one exact number, from which the plastic overlap follows.
+/// Elasto-plastic. History: the largest overlap, one exact number, from which the plastic overlap follows. The tangent jumps
+/// there, from the virgin branch's to Hertz's: a contact held at its largest overlap has either, as its overlap rounds.
 template <class T, Recontact recontact = Recontact::same_spot, Power power = Power::accurate>
 struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
   using Scalar = T;
