@@ -25,6 +25,7 @@ template <class T>
 class Column {
  public:
   Column(const T& same = T(0)) : array_(nullptr), same_(same) {}  // NOLINT: a number stands for a column of it
+  Column(int same) : Column(T(same)) {}                           // NOLINT: a 0 is one, not a null array
   Column(const T* array) : array_(array), same_(T(0)) {}          // NOLINT: so does an array
 
   const T* array() const noexcept { return array_; }  ///< null where one number serves all
@@ -54,10 +55,12 @@ struct ContactBatch {
 
 namespace detail {
 
-/// Contacts first .. first + lanes, stepped as one pack; `load` and `save` move a pack from and to an array.
-template <class Pack, class Law, class PackLaw, class Load, class Save>
-CONTACTLAWS_HD void evaluate_pack(const PackLaw& law, const ContactBatch<Law>& batch, const Load& load,
+/// Contacts first .. first + lanes, stepped as one pack; `load` and `save` move a pack from and to an array, `law_of` tells
+/// their law, given what reads a column.
+template <class Pack, class Law, class LawOf, class Load, class Save>
+CONTACTLAWS_HD void evaluate_pack(const LawOf& law_of, const ContactBatch<Law>& batch, const Load& load,
                                   const Save& save) noexcept {
+  using PackLaw = typename Law::template Rebind<Pack>;
   const auto column = [&load](const Column<typename Law::Scalar>& c) {
     return c.array() != nullptr ? load(c.array()) : Pack(c.same());
   };
@@ -69,7 +72,7 @@ CONTACTLAWS_HD void evaluate_pack(const PackLaw& law, const ContactBatch<Law>& b
                                            column(batch.dt), column(batch.spin)};
   std::array<Pack, Law::state_size> state{};
   for (std::size_t i = 0; i < Law::state_size; ++i) state[i] = load(batch.state[i]);
-  const auto step = law.step(pair, kinematics, PackLaw::load(state.data()));
+  const auto step = law_of(column).step(pair, kinematics, PackLaw::load(state.data()));
   PackLaw::store(step.state, state.data());
   for (std::size_t i = 0; i < Law::state_size; ++i) save(batch.next[i], state[i]);
   save(batch.force[0], step.force.x());
@@ -77,24 +80,20 @@ CONTACTLAWS_HD void evaluate_pack(const PackLaw& law, const ContactBatch<Law>& b
   save(batch.force[2], step.force.z());
 }
 
-}  // namespace detail
-
-/// Steps every contact of the batch.
-template <class Law, class Pack = typename PackOf<typename Law::Scalar>::type>
-CONTACTLAWS_FLATTEN void evaluate(const Law& law, const ContactBatch<Law>& batch) noexcept {
+template <class Pack, class Law, class LawOf>
+CONTACTLAWS_HD void evaluate_packs(const LawOf& law_of, const ContactBatch<Law>& batch) noexcept {
   using T = typename Law::Scalar;
   using Traits = ScalarTraits<Pack>;
   constexpr std::size_t lanes = Traits::lanes;
-  const auto pack_law = law.template cast<Pack>();
   std::size_t first = 0;
   for (; first + lanes <= batch.count; first += lanes)
-    detail::evaluate_pack<Pack>(
-        pack_law, batch, [first](const T* values) { return Traits::load(values + first); },
+    evaluate_pack<Pack>(
+        law_of, batch, [first](const T* values) { return Traits::load(values + first); },
         [first](T* values, const Pack& x) { Traits::store(values + first, x); });
   if (first == batch.count) return;
   const std::size_t left = batch.count - first;
-  detail::evaluate_pack<Pack>(
-      pack_law, batch,
+  evaluate_pack<Pack>(
+      law_of, batch,
       [first, left](const T* values) {
         std::array<T, lanes> filled;
         for (std::size_t i = 0; i < lanes; ++i) filled[i] = values[first + (i < left ? i : left - 1)];
@@ -105,6 +104,24 @@ CONTACTLAWS_FLATTEN void evaluate(const Law& law, const ContactBatch<Law>& batch
         Traits::store(filled.data(), x);
         for (std::size_t i = 0; i < left; ++i) values[first + i] = filled[i];
       });
+}
+
+}  // namespace detail
+
+/// Steps every contact of the batch.
+template <class Law, class Pack = typename PackOf<typename Law::Scalar>::type>
+CONTACTLAWS_FLATTEN void evaluate(const Law& law, const ContactBatch<Law>& batch) noexcept {
+  const auto pack_law = law.template cast<Pack>();
+  detail::evaluate_packs<Pack>(
+      [&pack_law](const auto&) -> const auto& { return pack_law; }, batch);
+}
+
+/// The same under a law whose parameters are columns too, as in `law.cast<Column<double>>()`: each a number for all
+/// contacts or an array of them (a friction per contact, say). Whoever fills the arrays checks them.
+template <class Law, class Pack = typename PackOf<typename Law::Scalar>::type>
+CONTACTLAWS_FLATTEN void evaluate(const typename Law::template Rebind<Column<typename Law::Scalar>>& law,
+                                  const ContactBatch<Law>& batch) noexcept {
+  detail::evaluate_packs<Pack>([&law](const auto& column) { return law.template cast<Pack>(column); }, batch);
 }
 
 }  // namespace contactlaws

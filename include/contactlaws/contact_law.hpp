@@ -148,7 +148,13 @@ struct ContactLaw {
                             typename Shear::template Rebind<U>, typename Bridge::template Rebind<U>>;
   template <class U>
   CONTACTLAWS_HD Rebind<U> cast() const {
-    return {slot_cast<U>(normal), slot_cast<U>(damping), slot_cast<U>(shear), slot_cast<U>(bridge)};
+    return cast<U>([](const T& x) { return scalar_cast<U>(x); });
+  }
+  /// Each parameter as `convert` makes it.
+  template <class U, class Convert>
+  CONTACTLAWS_HD Rebind<U> cast(const Convert& convert) const {
+    return {slot_cast<U>(normal, convert), slot_cast<U>(damping, convert), slot_cast<U>(shear, convert),
+            slot_cast<U>(bridge, convert)};
   }
 
  private:

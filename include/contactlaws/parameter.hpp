@@ -56,14 +56,20 @@ constexpr std::array<Entry, M + N> joined(const std::array<Entry, M>& first, con
   return all;
 }
 
-/// The same slot of a law with its parameters as numbers (or packs) of type U.
-template <class U, class Slot>
-CONTACTLAWS_HD typename Slot::template Rebind<U> slot_cast(const Slot& slot) {
+/// The same slot of a law on another scalar, each parameter as `convert` makes it.
+template <class U, class Slot, class Convert>
+CONTACTLAWS_HD typename Slot::template Rebind<U> slot_cast(const Slot& slot, const Convert& convert) {
   typename Slot::template Rebind<U> result;
   const auto from = Slot::parameters();
   const auto to = Slot::template Rebind<U>::parameters();
-  for (std::size_t i = 0; i < from.size(); ++i) result.*(to[i].member) = scalar_cast<U>(slot.*(from[i].member));
+  for (std::size_t i = 0; i < from.size(); ++i) result.*(to[i].member) = convert(slot.*(from[i].member));
   return result;
+}
+
+/// The same slot of a law with its parameters as numbers (or packs) of type U.
+template <class U, class Slot>
+CONTACTLAWS_HD typename Slot::template Rebind<U> slot_cast(const Slot& slot) {
+  return slot_cast<U>(slot, [](const auto& x) { return scalar_cast<U>(x); });
 }
 
 }  // namespace contactlaws
