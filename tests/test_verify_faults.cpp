@@ -1,12 +1,14 @@
 // The kit on a force update with one fault at a time: each is found by the properties that it breaks, and by no other.
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "catch.hpp"
 #include "contactlaws/restitution.hpp"
 #include "contactlaws/verify/verify.hpp"
+#include "random.hpp"
 #include "verify/host_law.hpp"
 
 using namespace contactlaws;
@@ -63,22 +65,22 @@ const Case cases[] = {
     {Fault::torque_sign, false, "torque balance", {"swap of the bodies", "energy of impacts"}, 1},
     {Fault::torque_lever, false, "torque balance", {}, 1},
     {Fault::reaction, false, "third law", {}, 1},
-    {Fault::not_turned, false, "rigid spin", {"Coulomb bound", "derivative = stiffness"}, 2},
-    {Fault::limit_by_total, false, "Coulomb bound", {"friction reached", "ratcheting"}, 2},
-    {Fault::limit_by_magnitude, false, "Coulomb bound", {"no tension", "restitution"}, 2},
+    {Fault::not_turned, false, "rigid spin", {"Coulomb bound", "derivative = stiffness"}, 4},
+    {Fault::limit_by_total, false, "Coulomb bound", {"friction reached"}, 4},
+    {Fault::limit_by_magnitude, false, "Coulomb bound", {"no tension", "restitution"}, 4},
     {Fault::limit_by_component,
      false,
      "frame indifference",
      {"Coulomb bound", "friction reached", "derivative = stiffness", "energy on closed loops"},
      2},
-    {Fault::without_spin, false, "rigid spin", {"friction reached", "derivative = stiffness", "energy of impacts"}, 2},
-    {Fault::velocity_lever, false, "rigid spin", {"friction reached", "ratcheting"}, 2},
-    {Fault::pulls, false, "no tension", {"restitution"}, 2},
+    {Fault::without_spin, false, "rigid spin", {"friction reached", "derivative = stiffness", "energy of impacts"}, 4},
+    {Fault::velocity_lever, false, "rigid spin", {"friction reached", "ratcheting"}, 4},
+    {Fault::pulls, false, "no tension", {"restitution"}, 4},
     {Fault::jump, false, "continuity at touch", {"restitution"}, 1},
     {Fault::jump, true, "continuity at touch", {"continuity in motion", "restitution"}, 1},
     {Fault::length_constant, false, "unit scaling", {}, 1},
     {Fault::own_dt, false, "step-size convergence", {"derivative = stiffness", "energy on closed loops"}, 16},
-    {Fault::shared_state, false, "purity", {"change of owner"}, 2},
+    {Fault::shared_state, false, "purity", {"change of owner"}, 4},
     {Fault::absolute_velocity,
      false,
      "Galilean invariance",
@@ -91,9 +93,9 @@ const Case cases[] = {
     {Fault::force_history, true, "ratcheting", {}, 9},
     {Fault::unclipped_formula, false, "restitution", {}, 200},
     {Fault::stiffness_tangent, true, "derivative = stiffness", {}, 1},
-    {Fault::restart_loses, false, "restart", {}, 2},
-    {Fault::exchange_keeps, false, "change of owner", {}, 2},
-    {Fault::never_forgets, false, "open contact", {}, 2},
+    {Fault::restart_loses, false, "restart", {}, 4},
+    {Fault::exchange_keeps, false, "change of owner", {}, 4},
+    {Fault::never_forgets, false, "open contact", {}, 4},
     {Fault::divides_by_overlap, false, "finite force", {}, 1},
 };
 
@@ -134,14 +136,17 @@ TEST_CASE("Each fault is found by the property that is there for it, on a short 
 }
 
 TEST_CASE("No fault hides behind a seed") {
-  for (const Case& c : cases) {
-    for (const std::uint64_t seed : {1, 2, 3}) {
-      CAPTURE(static_cast<int>(c.fault), c.hertz, c.meant, seed);
-      Options o = options(c.hertz);
+  for (std::uint64_t seed = 1; seed <= (test::sanitized ? 1 : 3); ++seed) {
+    const auto seeded = [seed](Fault fault, bool hertz) {
+      Options o = options(hertz);
       o.seed = seed;
-      const Report report = verify::check_all(host_law(c.fault, c.hertz), o);
-      CHECK(report.find(c.meant)->verdict == Verdict::fail);
-      CHECK(failures(verify::check_all(host_law(Fault::none, c.hertz), o)).empty());
+      return verify::check_all(host_law(fault, hertz), o);
+    };
+    CAPTURE(seed);
+    for (const bool hertz : {false, true}) CHECK(failures(seeded(Fault::none, hertz)).empty());
+    for (const Case& c : cases) {
+      CAPTURE(static_cast<int>(c.fault), c.hertz, c.meant);
+      CHECK(seeded(c.fault, c.hertz).find(c.meant)->verdict == Verdict::fail);
     }
   }
 }

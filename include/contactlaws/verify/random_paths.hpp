@@ -26,7 +26,9 @@ class Random {
   bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
   Vector direction() {
     for (;;) {
-      const Vector v(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      const double x = uniform(-1, 1), y = uniform(-1, 1),
+                   z = uniform(-1, 1);  // one after the other, on every compiler
+      const Vector v(x, y, z);
       const double square = v.squaredNorm();
       if (square > 0.01 && square < 1.0) return v.normalized();
     }
@@ -64,7 +66,8 @@ inline Path random_path(Random& random, const Scales& scales) {
   Vector normal = random.direction();
   const double dt = scales.time * random.log_uniform(0.01, 0.3);
   for (int i = 0; i < length; ++i) {
-    normal = (normal + random.uniform(0.0, 0.05) * random.direction()).normalized();
+    const double turn = random.uniform(0.0, 0.05);
+    normal = (normal + turn * random.direction()).normalized();
     const double share = random.chance(0.05) ? random.uniform(-0.5, 0.0) : random.uniform(0.2, 1.0);
     const double slip = scales.overlap * random.log_uniform(1e-3, 0.3);
     const Vector velocity = slip / dt * random.direction_across(normal);
