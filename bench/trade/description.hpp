@@ -18,12 +18,13 @@ using contact_path::LawDescription;
 inline Composition composition_of(const LawDescription& law) {
   Composition c;
   const std::string& normal = law.normal.law;
-  const auto refuse_word = [&](const char* key, const char* word) {
-    if (law.normal.words.count(key) > 0 && law.normal.word(key) == word)
-      contact_path::fail(law.normal.place, "[normal] " + std::string(key) + " = \"" + word + "\" is not measured here");
+  const auto only = [&](const char* key, const char* measured) {
+    if (law.normal.words.count(key) > 0 && law.normal.word(key) != measured)
+      contact_path::fail(law.normal.place, "[normal] " + std::string(key) + " = \"" + law.normal.word(key) +
+                                               "\" is not measured here, only the default, \"" + measured + '"');
   };
-  refuse_word("recontact", "fresh_surface");
-  refuse_word("unloads", "elastically");
+  only("recontact", "same_spot");
+  only("unloads", "plastically");
   const bool fast = law.normal.words.count("power") > 0 && law.normal.word("power") == "fast";
   if (normal == "linear") c.normal = NormalForm::linear;
   if (normal == "hertz") c.normal = NormalForm::hertz;
@@ -32,8 +33,6 @@ inline Composition composition_of(const LawDescription& law) {
   if (normal == "pohrt_popov_incremental") c.normal = NormalForm::incremental;
   if (law.damping.law != "none")
     c.damping = law.damping.word("tension") == "clipped" ? Damping::clipped : Damping::allowed;
-  if (c.damping == Damping::clipped && c.is_rough())
-    contact_path::fail(law.damping.place, "[damping] tension = \"clipped\" beside a rough law is not measured here");
   if (law.shear.law != "none") {
     c.history = History::force;
     for (const History h : {History::force_rescaled, History::displacement, History::displacement_rescaled})

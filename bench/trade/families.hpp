@@ -18,8 +18,9 @@
 //                    up to 0.02 rad. A closed cycle
 //   reload           pressed to o_m in 40 steps while slid by 0.5 s, then two cycles of 100 steps, 20 t_c each: down to
 //                    0.3 .. 0.7 o_m and back. A closed cycle
-//   wet_approach     from a gap of 0.3 g_r (2 R_o for g_r where the law has no bridge) to touch in 60 steps, to o_m and back in
-//                    120, slid by 2 s at most meanwhile, and apart to 1.3 g_r in 60; 240 steps take 20 t_c
+//   wet_approach     from a gap of 0.3 g_r (2 R_o for g_r where the law has no bridge) to touch in 60.5 steps (touch at a step
+//                    would be decided by rounding), to o_m and back in 121, slid by 2 s at most meanwhile, and apart
+//                    towards 1.3 g_r in the rest; 240 steps take 20 t_c
 // 240 steps a t_c is finer than DEM codes step; theirs is nearer to the rows of 5 and 10 steps at once.
 // Velocities are those half a step earlier, as leapfrog has them, turned to the contact plane of now.
 #pragma once
@@ -134,7 +135,8 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
     } else {
       duration = slow;
       const double rupture = bridged ? p.bridge.range(pair) : 2.0 * pair.smaller_radius;
-      const double near = 0.3 * rupture, far = 1.3 * rupture, quarter = slow / 4.0;
+      const double near = 0.3 * rupture, far = 1.3 * rupture;
+      const double quarter = slow * 60.5 / double(steps);
       m.overlap = [=](double t) {
         const Moving come = ramp(t / quarter), go = ramp((t - 3.0 * quarter) / quarter);
         const double x = std::clamp((t - quarter) / (2.0 * quarter), 0.0, 1.0);  // of the time in touch

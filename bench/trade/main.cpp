@@ -3,10 +3,11 @@
 //
 //   trade LAW.toml... [-o DIRECTORY]
 //       every tier of each law on every family of motions (families.hpp): writes trade.csv and trade.json
-//   trade --replay RECORDING.csv --law LAW.toml [--tolerance 1e-3]
-//       the cheapest composition that keeps the forces of a recorded scene, and what the scene never uses
+//   trade --replay RECORDING.csv --law LAW.toml [--tolerance 1e-3] [-o DIRECTORY]
+//       the cheapest composition that keeps the forces of a recorded scene, and what the scene never uses; with -o, all
+//       compositions in replay.csv
 //
-// Ends with 0; with 1 if no composition keeps the tolerance; with 2 on a fault in its input, which it names, and then nothing
+// Ends with 0; with 1 if no composition keeps the tolerance or a tier its bound (tiers.hpp); with 2 on a fault in its input, which it names, and then nothing
 // is written; with 130 if stopped with Ctrl-C.
 #include <exception>
 #include <filesystem>
@@ -24,7 +25,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> laws;
-  std::string directory = "build/results";
+  std::string directory;
   std::string recording;
   std::string law;
   double tolerance = 1e-3;
@@ -39,6 +40,7 @@ std::string processor() {
 }
 
 int measure(const Arguments& arguments) {
+  const std::string directory = arguments.directory.empty() ? "build/results" : arguments.directory;
   std::vector<std::pair<std::string, LawDescription>> laws;
   for (const std::string& file : arguments.laws) {
     laws.emplace_back(std::filesystem::path(file).stem().string(), contact_path::read_law(file));
@@ -46,7 +48,7 @@ int measure(const Arguments& arguments) {
       contact_path::fail({file}, "[pair] must have bodies here: the families of motion move them");
     composition_of(laws.back().second);
   }
-  std::filesystem::create_directories(arguments.directory);
+  std::filesystem::create_directories(directory);
   Effort effort;
   effort.repetitions = arguments.repetitions;
   std::vector<Row> rows;
@@ -60,12 +62,19 @@ int measure(const Arguments& arguments) {
     }
   }
   if (dem::stop_requested()) return 130;
-  write_table(arguments.directory, rows,
+  write_table(directory, rows,
               {{"processor", processor()},
                {"compiler", TRADE_COMPILER},
                {"lanes", contactlaws::ScalarTraits<contactlaws::PackOf<double>::type>::lanes}});
-  std::cout << "written: " << arguments.directory << "/trade.csv and trade.json, " << rows.size() << " rows\n";
-  return 0;
+  std::cout << "written: " << directory << "/trade.csv and trade.json, " << rows.size() << " rows\n";
+  bool all_keep = true;
+  for (const Row& row : rows) {
+    if (keeps_bound(row)) continue;
+    all_keep = false;
+    std::cerr << "trade: " << row.law << ", " << row.scene << ", " << row.tier.name << ": rounding of " << row.rounding
+              << " is beyond its bound, " << rounding_bound(row.tier.composition.precision) << '\n';
+  }
+  return all_keep ? 0 : 1;
 }
 
 }  // namespace
@@ -76,7 +85,8 @@ int main(int argc, char** argv) {
   CLI::App app("What every simplification of a contact law costs in accuracy and saves in time.");
   trade::Arguments arguments;
   app.add_option("LAW.toml", arguments.laws, "laws to measure");
-  app.add_option("-o,--output", arguments.directory, "directory of the table (default: build/results)");
+  app.add_option("-o,--output", arguments.directory,
+                 "directory of the tables (default: build/results; a replay's: none)");
   app.add_option("--replay", arguments.recording, "a recording of contacts: what does this scene require?");
   app.add_option("--law", arguments.law, "the fullest model of the recorded contacts");
   app.add_option("--tolerance", arguments.tolerance, "on forces, relative to the largest of a contact (default: 1e-3)")
@@ -88,7 +98,8 @@ int main(int argc, char** argv) {
     if (arguments.recording.empty() != arguments.law.empty())
       throw CLI::ValidationError("--replay and --law belong together");
     if (!arguments.recording.empty())
-      return trade::replay(arguments.recording, arguments.law, arguments.tolerance, arguments.repetitions, std::cout);
+      return trade::replay(arguments.recording, arguments.law, arguments.tolerance, arguments.repetitions, std::cout,
+                           arguments.directory);
     if (arguments.laws.empty()) throw CLI::ValidationError("nothing to do: name laws, or --replay and --law");
     return trade::measure(arguments);
   } catch (const CLI::ParseError& fault) {

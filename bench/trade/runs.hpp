@@ -234,8 +234,6 @@ class Maker {
   }
 
  private:
-  static constexpr bool is_rough = form != NormalForm::linear && form != NormalForm::hertz;
-
   template <class T, class Geometry>
   std::unique_ptr<Run> with_damping() const {
     switch (c_.damping) {

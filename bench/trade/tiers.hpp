@@ -5,16 +5,53 @@
 #include <string>
 #include <vector>
 
-#include "composition.hpp"
+#include "description.hpp"
 
 namespace trade {
+
+/// How far rounding may take a tier's force from the same composition's in 200 bits, as a share of the largest force of each
+/// contact's path. Overlaps are differences of positions 0.1 m from the origin: what these are rounded by, an overlap of
+/// 2e-6 m or more is wrong by, and a law adds little. A law in float, told overlaps in double, adds its own few digits a step.
+inline double rounding_bound(Precision precision) {
+  switch (precision) {
+    case Precision::in_double:
+      return 1e-11;
+    case Precision::law_in_float:
+      return 3e-6;
+    case Precision::in_float:
+      return 5e-2;
+  }
+  return 0.0;
+}
 
 struct Tier {
   std::string axis;  ///< what is chosen
   std::string name;  ///< how
   Composition composition;
   std::size_t multiple = 1;  ///< steps at once
+
+  /// Whether nothing but rounding tells it from the default.
+  bool only_rounds() const { return axis == "default" || axis == "power" || axis == "precision" || axis == "batch"; }
 };
+
+inline std::string short_name(NormalForm form) {
+  switch (form) {
+    case NormalForm::linear:
+      return "linear";
+    case NormalForm::hertz:
+      return "smooth";
+    case NormalForm::elastic:
+      return "elastic";
+    case NormalForm::plastic:
+      return "loading history";
+    case NormalForm::elastic_fast:
+    case NormalForm::plastic_fast:
+      return "fast power";
+    case NormalForm::incremental:
+      return "incremental";
+  }
+  return "";
+}
 
 inline std::vector<Tier> tiers_of(const Composition& ours) {
   std::vector<Tier> tiers{{"default", "default", ours}};
@@ -29,21 +66,16 @@ inline std::vector<Tier> tiers_of(const Composition& ours) {
     for (const History h : {History::force_rescaled, History::displacement, History::displacement_rescaled})
       add("history", name(h), [h](Composition& c) { c.history = h; });
   }
-  if (ours.is_rough()) {
-    add("power", "fast power", [](Composition& c) { c.normal = NormalForm::plastic_fast; });
-    add("normal", "incremental", [](Composition& c) { c.normal = NormalForm::incremental; });
-    add("normal", "elastic", [](Composition& c) { c.normal = NormalForm::elastic; });
-    add("normal", "smooth", [](Composition& c) { c.normal = NormalForm::hertz; });
+  for (const NormalForm form : stand_ins(ours.normal)) {
+    const bool is_power = (ours.normal == NormalForm::plastic && form == NormalForm::plastic_fast) ||
+                          (ours.normal == NormalForm::elastic && form == NormalForm::elastic_fast);
+    const bool is_both = !is_power && (form == NormalForm::plastic_fast || form == NormalForm::elastic_fast);
+    if (form != ours.normal && !is_both)  // one choice at a time
+      add(is_power ? "power" : "normal", short_name(form), [form](Composition& c) { c.normal = form; });
   }
   add("precision", "law in float", [](Composition& c) { c.precision = Precision::law_in_float; });
   add("precision", "all in float", [](Composition& c) { c.precision = Precision::in_float; });
   add("batch", "batch", [](Composition& c) { c.path = Path::batch; });
-  if (ours.is_rough()) {
-    add("batch", "batch, fast power", [](Composition& c) {
-      c.path = Path::batch;
-      c.normal = NormalForm::plastic_fast;
-    });
-  }
   add("batch", "batch in float", [](Composition& c) {
     c.path = Path::batch;
     c.precision = Precision::in_float;
