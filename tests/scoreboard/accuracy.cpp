@@ -41,7 +41,8 @@ class Kernels {
     roots(
         "pair.radius", inputs, [pair](const auto& x) { return pair(x).radius; }, draw);
     roots(
-        "pair.young", inputs, [pair](const auto& x) { return pair(x).young; }, draw);
+        "pair.young", inputs, [pair](const auto& x) { return pair(x).young; }, draw,
+        "a chain of 7 roundings, once per pair");
     roots(
         "pair.shear", inputs, [pair](const auto& x) { return pair(x).shear; }, draw,
         "a chain of 9 roundings, once per pair");
@@ -215,7 +216,9 @@ class Kernels {
           auto x = draw(2.9)(r);
           x[4] = x[1] * static_cast<T>(r.log_uniform(1e-6, 1e2));
           x[5] = x[4];
-          x[4] = x[5] - of(x).indentation(x[5]).depth * static_cast<T>(r.uniform(0.0, 0.5));
+          const T deepest = of(x).indentation(x[5]).depth;
+          x[4] = x[5] - deepest * static_cast<T>(r.uniform(0.0, 0.5));
+          if (x[5] - x[4] > deepest / T(2)) x[4] = x[5];  // the rounding of o took more than half
           return x;
         },
         "d = d(o_m) - (o_m - o): the ULPs of d(o_m), a power, count up to 3/2 * 2 times");
@@ -270,7 +273,7 @@ class Kernels {
     roots(
         "carry.project and restore", inputs,
         [carried](const auto& x) { return carried(x, Carrier<carry::ProjectRestore<std::decay_t<decltype(x[0])>>>{}); },
-        turn, "left alone where the square of the turn is below an eps: off by up to half of it");
+        turn, "near a right angle most of the shear lies along the new normal: |s|^2 less that part cancels");
     powers(
         "carry.rotate", inputs,
         [carried](const auto& x) { return carried(x, Carrier<carry::Rotate<std::decay_t<decltype(x[0])>>>{}); }, turn);

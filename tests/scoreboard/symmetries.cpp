@@ -233,10 +233,12 @@ void units(const std::string& name, std::int64_t count, double target, const Dra
 int main(int argc, char** argv) {
   const Effort effort(argc, argv);
   const std::int64_t moments = effort(20000, 400000);  // of each law
-  objectivity("turns that exchange axes, all laws", moments, random_exchange_of_axes,
-              "only the order of the sums over components changes");
+  objectivity(
+      "turns that exchange axes, all laws", moments, random_exchange_of_axes,
+      "v.n is summed in another order, and cancels where a contact slides fast; dashpots multiply its rounding");
   objectivity("any rigid rotation, all laws", moments, random_turn,
-              "the turned normal, velocity and history are rounded before the law sees them");
+              "turned inputs are rounded before the law sees them; v.n, which cancels where a contact slides fast, "
+              "shows it most");
 
   const std::int64_t steps = effort(1000000, 1000000);
   drift_of<carry::ProjectRestore<double>>("ProjectRestore", steps);
@@ -261,5 +263,6 @@ int main(int argc, char** argv) {
         const auto power = [&] { return std::pow(10.0L, static_cast<long double>(exponent(r, 9))); };
         return Units{power(), power(), power()};
       },
-      "each of a dozen inputs is rounded anew in the other units, before the law sees it");
+      "a dozen inputs are rounded anew in the other units; a law by increments of the overlap, a difference, shows it "
+      "most");
 }
