@@ -3,10 +3,12 @@
 
     python3 bench/trade/chart.py [directory]          (default: build/results, where `trade` writes trade.csv)
 
-Lower is more accurate, further left is cheaper. The line joins what nothing else beats on both; the ring is the default.
+Lower is more accurate, further left is cheaper. The band joins what nothing else beats on both, and these names are bold; the
+ring is the default. Tiers that fall on one another share a label.
 """
 
 import csv
+import math
 import sys
 from pathlib import Path
 
@@ -14,91 +16,140 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.transforms import Bbox
 
 plt.rcParams.update({
-    "figure.dpi": 100, "savefig.dpi": 130, "font.size": 9, "axes.titlesize": 9, "axes.titleweight": "bold",
+    "figure.dpi": 120, "savefig.dpi": 120, "font.size": 9, "axes.titlesize": 9, "axes.titleweight": "bold",
     "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8, "axes.grid": True,
     "grid.color": "#e6e6e6", "grid.linewidth": 0.6, "axes.axisbelow": True, "lines.linewidth": 1.8,
     "legend.frameon": False, "legend.fontsize": 8, "mathtext.default": "regular", "figure.constrained_layout.use": True,
 })
 
-AXES = {  # what is chosen: colour, marker, words
-    "default": ("#1f4e79", "o", "the default, in double"), "batch": ("#2e8b57", "D", "batches"),
-    "precision": ("#5b9bd5", "s", "precision"), "carrying": ("#8064a2", "^", "carrying of shear"),
-    "history": ("#c0504d", "v", "shear history"), "power": ("#e0a030", "P", "power"),
-    "normal": ("#e07b39", "X", "normal form"), "step": ("#7f7f7f", ">", "several steps at once"),
+# What is chosen: colour (told apart by colour-blind readers too: Okabe & Ito), marker, words.
+AXES = {
+    "default": ("#0072b2", "o", "the default, in double"), "batch": ("#009e73", "D", "batches"),
+    "precision": ("#56b4e9", "s", "precision"), "carrying": ("#cc79a7", "^", "carrying of shear"),
+    "history": ("#d55e00", "v", "shear history"), "power": ("#e69f00", "P", "power"),
+    "normal": ("#e69f00", "X", "normal form"), "step": ("#7f7f7f", ">", "several steps at once"),
     "slot": ("#202020", "x", "a slot left out"),
 }
 SCENES = {"oblique_impact": "Oblique impact", "cyclic_shear": "Cyclic shear, turning and twisting",
           "reload": "Load, unload, reload", "wet_approach": "Approach and separation"}
 FLOOR = 1e-14  # of the chart: errors below are drawn here
+BAND, INK = "#d3dfea", "#262626"
+
+
+def place(row):
+    return float(row["ns"]), max(float(row["largest_error"]), FLOOR)
 
 
 def front(rows):
     best, line = float("inf"), []
-    for row in sorted(rows, key=lambda r: (float(r["ns"]), float(r["largest_error"]))):
-        error = max(float(row["largest_error"]), FLOOR)
-        if error < best:
-            line.append((float(row["ns"]), error))
-            best = error
+    for x, y in sorted(place(r) for r in rows if r["front"] == "yes"):
+        if y < best:
+            line.append((x, y))
+            best = y
     return line
 
 
-def place_labels(axes, points, figure):
-    """Names beside points, each at the first of a few places where it covers no other."""
-    renderer = figure.canvas.get_renderer()
-    taken = [axes.transData.transform((x, y)) for x, y, _, _ in points]
-    boxes = []
-    for x, y, text, colour in sorted(points, key=lambda p: p[1]):
-        for dx, dy, ha in ((7, 0, "left"), (-7, 0, "right"), (0, 9, "center"), (0, -9, "center"), (7, 9, "left"),
-                           (7, -9, "left"), (-7, 9, "right"), (-7, -9, "right"), (7, 18, "left"), (7, -18, "left"),
-                           (-7, 18, "right"), (-7, -18, "right"), (7, 27, "left"), (-7, 27, "right"), (7, -27, "left")):
-            label = axes.annotate(text, (x, y), xytext=(dx, dy), textcoords="offset points", ha=ha, va="center", fontsize=7,
-                                  color=colour)
-            box = label.get_window_extent(renderer)
-            frame = axes.get_window_extent(renderer)
-            clear = not any(box.overlaps(other) for other in boxes)
-            clear = clear and not any(box.contains(px, py) for px, py in taken)
-            clear = clear and box.x0 >= frame.x0 and box.x1 <= frame.x1 + 60 and box.y0 >= frame.y0 - 6
-            if clear:
-                boxes.append(box)
+def gathered(axes, rows, near=9):
+    """Tiers whose marks touch, together: a list of (x, y in pixels, rows)."""
+    groups = []
+    for row in sorted(rows, key=lambda r: (r["axis"] != "default", place(r))):
+        x, y = axes.transData.transform(place(row))
+        for group in groups:
+            if any(abs(x - u) < near and abs(y - v) < near for u, v in group[2]):
+                group[3].append(row)
+                group[2].append((x, y))
                 break
-            label.remove()
+        else:
+            groups.append((x, y, [(x, y)], [row]))
+    return groups
+
+
+def words(rows):
+    names = [r["tier"].replace("_", " ") for r in rows]
+    lines = [", ".join(names[i:i + 2]) for i in range(0, len(names), 2)]
+    return ",\n".join(lines)
+
+
+def place_labels(axes, rows, line, figure):
+    """Names beside marks: each at the nearest place where it covers nothing, led there by a hair if that is not beside it."""
+    renderer, frame = figure.canvas.get_renderer(), axes.get_window_extent()
+    groups = gathered(axes, rows)
+    marks = [Bbox.from_bounds(x - 7, y - 7, 14, 14) for _, _, points, _ in groups for x, y in points]
+    marks += [Bbox.from_bounds(x - 11, y - 11, 22, 22) for x, y, _, members in groups if members[0]["axis"] == "default"]
+    corners = [axes.transData.transform(p) for p in line]
+    band = []
+    for (x0, y0), (x1, y1) in zip(corners, corners[1:] + [(frame.x1, corners[-1][1])]):
+        band += [Bbox.from_extents(x0, y0 - 4, x1, y0 + 4), Bbox.from_extents(x1 - 4, min(y0, y1), x1 + 4, max(y0, y1))]
+    taken = []
+    for x, y, _, members in sorted(groups, key=lambda g: (-len(g[3]), g[0])):
+        label = axes.annotate(words(members), (0, 0), xytext=(0, 0), xycoords="figure pixels", textcoords="figure pixels",
+                              fontsize=7.5, color=INK, linespacing=0.95, zorder=6,
+                              weight="bold" if any(m["front"] == "yes" for m in members) else "normal")
+        size = label.get_window_extent(renderer)
+        best = None
+        for reach in (11, 16, 24, 34, 46, 60, 76, 94):
+            for angle in range(0, 360, 15):
+                dx, dy = reach * math.cos(math.radians(angle)), reach * math.sin(math.radians(angle))
+                left = x + dx - (0 if dx > 3 else size.width if dx < -3 else size.width / 2)
+                low = y + dy - size.height / 2 + (size.height / 2 if dy > 8 else -size.height / 2 if dy < -8 else 0) * 0.8
+                box = Bbox.from_bounds(left - 2, low - 1, size.width + 4, size.height + 2)
+                if box.x0 < frame.x0 or box.x1 > frame.x1 + 8 or box.y0 < frame.y0 or box.y1 > frame.y1 + 6:
+                    continue
+                if any(box.overlaps(other) for other in marks + taken):
+                    continue
+                cost = reach + 0.2 * min(angle, 360 - angle) ** 0.5 + 14 * any(box.overlaps(b) for b in band)
+                if best is None or cost < best[0]:
+                    best = cost, box, reach, x + dx, y + dy
+        if best is None:
+            label.set_position((x + 9, y))
+            continue
+        _, box, reach, end_x, end_y = best
+        taken.append(box)
+        label.set_position((box.x0 + 2, box.y0 + 1))
+        if reach > 16:
+            inverse = axes.transData.inverted().transform
+            axes.plot(*zip(inverse((x, y)), inverse((end_x, end_y))), color="#9a9a9a", linewidth=0.6, zorder=2)
 
 
 def draw(law, rows):
-    figure, panels = plt.subplots(2, 2, figsize=(10.5, 8.2), sharex=True, sharey=True)
+    figure, panels = plt.subplots(2, 2, figsize=(11.5, 9.6), sharex=True, sharey=True)
     costs = [float(r["ns"]) for r in rows]
+    right = max(costs) * 2.2
     for axes, scene in zip(panels.flat, SCENES):
         here = [r for r in rows if r["scene"] == scene]
-        axes.set(xscale="log", yscale="log", xlim=(min(costs) * 0.7, max(costs) * 1.9), ylim=(FLOOR / 3, 30),
-                 title=SCENES[scene])
+        axes.set(xscale="log", yscale="log", xlim=(min(costs) * 0.6, right), ylim=(FLOOR / 3, 100), title=SCENES[scene])
         line = front(here)
-        axes.step([x for x, _ in line] + [max(costs) * 1.9], [y for _, y in line] + [line[-1][1]], where="post",
-                  color="#c8d8e8", linewidth=5, zorder=1, solid_capstyle="round")
-        axes.axhline(1e-3, color="#b0b0b0", linewidth=0.8, linestyle=":", zorder=1)
+        axes.step([x for x, _ in line] + [right], [y for _, y in line] + [line[-1][1]], where="post", color=BAND, linewidth=5,
+                  zorder=1, solid_capstyle="round")
+        axes.axhline(1e-3, color="#8c8c8c", linewidth=0.8, linestyle=":", zorder=1)
+        axes.text(min(costs) * 0.63, 1.3e-3, "0.1 %", fontsize=7, color="#6e6e6e")
         for row in here:
             colour, marker, _ = AXES[row["axis"]]
-            axes.plot([float(row["ns"])], [max(float(row["largest_error"]), FLOOR)], marker, color=colour, markersize=5.5,
-                      zorder=4, clip_on=False)
+            axes.plot(*[[v] for v in place(row)], marker, color=colour, markersize=6, zorder=4, clip_on=False)
             if row["axis"] == "default":
-                axes.plot([float(row["ns"])], [max(float(row["largest_error"]), FLOOR)], "o", markersize=12,
-                          markerfacecolor="none", markeredgecolor=colour, markeredgewidth=1.6, zorder=5)
-    figure.canvas.draw()
-    for axes, scene in zip(panels.flat, SCENES):
-        place_labels(axes, [(float(r["ns"]), max(float(r["largest_error"]), FLOOR), r["tier"], AXES[r["axis"]][0])
-                            for r in rows if r["scene"] == scene], figure)
+                axes.plot(*[[v] for v in place(row)], "o", markersize=13, markerfacecolor="none", markeredgecolor=colour,
+                          markeredgewidth=1.8, zorder=5)
     for axes in panels[1]:
         axes.xaxis.set_major_formatter(plt.FuncFormatter(lambda x, _: f"{x:g}"))
-        axes.set_xlabel("ns per contact and dt of the motion")
+        axes.set_xlabel("cheaper  \N{LEFTWARDS ARROW}  cost [ns per contact and step of the motion]")
     for axes in panels[:, 0]:
-        axes.set_ylabel("largest error of force / largest force")
+        axes.set_ylabel("more accurate  \N{LEFTWARDS ARROW}  largest error of force / largest force [1]")
     used = [axis for axis in AXES if any(r["axis"] == axis for r in rows)]
-    marks = [plt.Line2D([], [], color=AXES[a][0], marker=AXES[a][1], linestyle="", label=AXES[a][2]) for a in used]
-    marks.append(plt.Line2D([], [], color="#c8d8e8", linewidth=5, label="front: nothing is cheaper and as right"))
+    marks = [plt.Line2D([], [], color=AXES[a][0], marker=AXES[a][1], linestyle="", label=AXES[a][2],
+                        **({"markersize": 9, "markerfacecolor": "none", "markeredgewidth": 1.8} if a == "default" else {}))
+             for a in used]
+    marks.append(plt.Line2D([], [], color=BAND, linewidth=5, label="front: nothing is cheaper and as right"))
     figure.legend(handles=marks, loc="lower center", ncols=5)
     figure.get_layout_engine().set(rect=(0, 0.06, 1, 0.94))
     figure.suptitle(f"{law.replace('_', ' ')}: what each choice costs and saves", fontweight="bold")
+    figure.canvas.draw()
+    figure.set_layout_engine("none")  # labels are placed in pixels: nothing may move now
+    for axes, scene in zip(panels.flat, SCENES):
+        here = [r for r in rows if r["scene"] == scene]
+        place_labels(axes, here, front(here), figure)
     return figure
 
 

@@ -26,7 +26,7 @@ struct Row {
   Errors errors;
   double rounding;     ///< from the same composition in 200 bits; NaN where more than rounding differs
   double drift;        ///< NaN where the scene is no closed cycle
-  bool front = false;  ///< nothing else of this law is as cheap and as right here
+  bool front = false;  ///< nothing else of this law is as right here and cheaper, or as cheap and more right
 };
 
 struct Effort {
@@ -35,11 +35,12 @@ struct Effort {
   std::size_t drift_steps = 1'000'000;
 };
 
+/// Costs within 5 % and errors within 10 % of each other count as equal.
 inline void mark_front(std::vector<Row>& rows) {
   for (Row& row : rows) {
     row.front = std::none_of(rows.begin(), rows.end(), [&row](const Row& other) {
-      const bool no_worse = other.ns <= row.ns && other.errors.largest <= row.errors.largest;
-      return no_worse && (other.ns < row.ns || other.errors.largest < row.errors.largest);
+      const double cost = other.ns / row.ns, error = other.errors.largest, as_right = 1.1 * row.errors.largest;
+      return (cost < 0.95 && error <= as_right) || (cost <= 1.05 && 1.1 * error < row.errors.largest);
     });
   }
 }
