@@ -98,9 +98,11 @@ inline Path random_path(Random& random, int length) {
   const double dt = random.log_uniform(0.01, 1.0) * std::sqrt(path.pair.mass / stiffness);
   Vec3<double> normal = random.direction();
   for (int i = 0; i < length; ++i) {
-    normal = (normal + random.uniform(0.0, 0.1) * random.direction()).normalized();
+    const double turn = random.uniform(0.0, 0.1);
+    normal = (normal + turn * random.direction()).normalized();
     const double overlap = deep * (random.chance(0.1) ? random.uniform(-1.0, 0.0) : random.uniform(0.2, 1.0));
-    const Vec3<double> velocity = deep / dt * random.log_uniform(1e-3, 0.3) * random.direction();
+    const double speed = deep / dt * random.log_uniform(1e-3, 0.3);
+    const Vec3<double> velocity = speed * random.direction();
     path.steps.push_back({normal, overlap, velocity, dt, random.uniform(-0.1, 0.1) / dt});
   }
   return path;

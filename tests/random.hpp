@@ -50,7 +50,8 @@ struct Random {
 
   Vec3<double> direction() {
     for (;;) {
-      const Vec3<double> v(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);  // one by one: arguments have no order
+      const Vec3<double> v(x, y, z);
       const double square = v.squaredNorm();
       if (square > 0.01 && square < 1.0) return v / std::sqrt(square);
     }
@@ -77,7 +78,9 @@ inline PairProperties<double> random_pair(Random& random) {
                                            random.log_uniform(500.0, 20000.0)};
     return sphere(material, random.log_uniform(1e-6, 1.0));
   };
-  return pair_properties(side(), side());
+  const auto first = side();
+  const auto second = side();
+  return pair_properties(first, second);
 }
 
 /// Properties that no pair has, for tests of accuracy: each log-uniform over many binades.

@@ -510,8 +510,8 @@ TEST_CASE("Pohrt-Popov: parameters out of range are named with value and range")
   CHECK(surface_message(2.5, nan) == "RoughSurface: roughness is nan m, must lie in (0, inf)");
   CHECK_THROWS_WITH(Elastic::of({1.5, 1e-6}), ContainsSubstring("fractal_dimension is 1.5"));
   // Given directly, not from a surface.
-  CHECK_THROWS_WITH(checked(Elastic{}), "PohrtPopov: transition_overlap is 0 m, must lie in (0, inf)");
-  CHECK_THROWS_WITH(checked(Plastic{{0.5, 1e-5}}), "PohrtPopovElastoPlastic: exponent is 0.5, must lie in [1, 3]");
+  CHECK_THROWS_WITH(checked(Elastic{{2.0, 0.0}}), "PohrtPopov: transition_overlap is 0 m, must lie in (0, inf)");
+  CHECK_THROWS_WITH(checked(Plastic{{0.5, 1e-5}}), "PohrtPopovElastoPlastic: exponent is 0.5, must lie in (1, 3]");
   CHECK_NOTHROW(checked(Plastic::of(ballast_surface)));
 }
 

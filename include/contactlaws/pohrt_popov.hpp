@@ -124,7 +124,7 @@ struct RoughProfile {
   }
   template <class Owner>
   static constexpr std::array<Parameter<Owner, T>, 2> parameters_of() {
-    return {{{"exponent", "1", &Owner::exponent, Range::closed(1.0, 3.0)},
+    return {{{"exponent", "1", &Owner::exponent, Range::left_open(1.0, 3.0)},
              {"transition_overlap", "m", &Owner::transition_overlap, Range::positive()}}};
   }
 };

@@ -13,7 +13,8 @@
 //   ShearDisplacementRescaled  displacement, times k/k_before  a falling k lowers it twice (Thornton's rule as LAMMPS has it)
 //
 // Where the stiffness comes from: Mindlin (k = 8 G* a, Mindlin 1949) or ConstantRatio (k = ratio dF_n/do).
-// Domain: any step. Three values of history, four when rescaled, and what the carrying stores.
+// Domain: any step; mu P > 1e-300 of the trial force. Three values of history, four when rescaled, and what the carrying
+// stores.
 #pragma once
 
 #include <array>
