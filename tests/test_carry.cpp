@@ -100,7 +100,7 @@ TEST_CASE("Carry: all keep the shear in the plane, and say what becomes of its l
   }
 }
 
-TEMPLATE_TEST_CASE("Carry: over a million steps of a tumbling pair the length drifts by no more than roundings at random", "",
+TEMPLATE_TEST_CASE("Carry: over a million steps of a tumbling pair the length drifts by random roundings only", "",
                    ProjectRestore, Rotate) {
   using Carry = TestType;
   Random random;
