@@ -189,6 +189,24 @@ def documented_bounds(directory):
         check(f"{precision}: {worst} within {bound}, and of its size", bound / 100 < worst <= bound)
 
 
+def other_defaults(directory):
+    """A law that is not the ready-made one has itself for a default, and every other choice for a tier; what is not offered
+    beside it is left out."""
+    file = directory / "turned.toml"
+    file.write_text((LAWS / "dry_hill.toml").read_text().replace('law = "force"', 'law = "displacement"\ncarry = "rotate"')
+                    .replace('law = "dashpots"', 'law = "dashpots"\ntension = "clipped"'))
+    code, out, error = run(file, "--repetitions", 1, "-o", directory / "turned")
+    table = [r for r in table_of(directory / "turned/trade.csv") if r["scene"] == "reload"]
+    tiers = lambda axis: {r["tier"] for r in table if r["axis"] == axis}
+    check("a law of displacements, rotated and clipped, is measured", code == 0 and table, error)
+    check("its tiers are the other histories", tiers("history") == {"force", "force_rescaled", "displacement_rescaled"}, table)
+    check("and the other carryings", tiers("carrying") == {"project", "project_restore"}, table)
+    check("batches are not offered", not tiers("batch"), table)
+    # Its own fullest model: whatever it is off by, rounding is all of it.
+    check("the default's error is its rounding", [r for r in table if r["axis"] == "default" and
+                                                  r["largest_error"] == r["rounding"]], table)
+
+
 def faults(directory):
     good = head_on()
 
@@ -235,6 +253,7 @@ def faults(directory):
 with tempfile.TemporaryDirectory() as name:
     known_answers(Path(name))
     documented_bounds(Path(name))
+    other_defaults(Path(name))
     faults(Path(name))
 print("trade: " + ("all right" if failures == 0 else f"{failures} failures"))
 sys.exit(1 if failures else 0)
