@@ -61,7 +61,7 @@ if [ $publish = yes ]; then
   mkdir -p "$folder"
   cp $results/trade.csv $results/trade.json $results/trade_*.png $results/replay_grains.txt $results/instructions.csv "$folder"
   if [ $peers = yes ]; then cp $results/peers.csv "$folder"; fi
-  for name in bench_laws bench_batch_x86-64 bench_batch_x86-64-v3 bench_batch_x86-64-v4; do
+  for name in bench_laws bench_pohrt_popov bench_batch_x86-64 bench_batch_x86-64-v3 bench_batch_x86-64-v4; do
     if [ ! -f "$results/$name.json" ]; then continue; fi
     # Without host, paths and dates.
     "$python" -c 'import json, sys
