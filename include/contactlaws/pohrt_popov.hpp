@@ -13,8 +13,8 @@
 //
 // Pohrt & Popov (2012); Tolomeo & McDowell (2022) Eqs 1-6, whose increments (pohrt_popov_incremental.hpp) these replace:
 // no step, no drift, no start. Domain: D_f in [2, 3], h > 0, o << R*.
-// Error of F, given p and o_c: <= 6 ULP, 5 for D_f <= 2.4; of the stiffness 5. Power::fast adds 3/2 |(p-1) log x| eps, and
-// so do packs (power.hpp). Unloading, d is right to 3 ULP of d(o_m) and, near o_p, no better: no number stands for d(o_m)
+// Error of F, given p and o_c: <= 6 ULP; of the stiffness 5. Power::fast adds 3/2 |(p-1) log x| eps, and so do packs
+// (power.hpp). Unloading, d is right to 3 ULP of d(o_m) and, near o_p, no better: no number stands for d(o_m)
 // to less than half one (tests/test_pohrt_popov_accuracy.cpp).
 #pragma once
 

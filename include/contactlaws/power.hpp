@@ -129,8 +129,9 @@ CONTACTLAWS_HD T power_of_quotient(const T& a, const T& b, const T& y) noexcept 
     return detail::power_in_registers<T>(T(a / b), y);
   } else if constexpr (power == Power::accurate) {
     const T x = a / b;
+    const T lost = y * T(quotient_error<T>(a, b, x) / a);
     const T of_rounded = pow(x, y);
-    return of_rounded + of_rounded * T(y * T(quotient_error<T>(a, b, x) / a));
+    return of_rounded + of_rounded * lost;
   } else {  // a division ahead of the logarithm would have to be waited for; this one is the same for all contacts
     return exp(T(y * T(log(T(a * T(T(1) / b))))));
   }
