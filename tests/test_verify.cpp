@@ -306,3 +306,41 @@ TEST_CASE("What a law does not offer or claim is not called passed") {
         "open contact", "ratcheting", "energy on closed loops", "energy of impacts", "restitution"})
     CHECK(report.find(name)->verdict == Verdict::not_claimed);
 }
+
+TEST_CASE("An open contact may answer with a force alone, and the rest is judged where it is told") {
+  const auto full = any_law(verify::adapt(dry_hill<double>({0.4}), pair));
+  AnyLaw terse = full;
+  terse.call = [full](const verify::Bodies& b, double dt, AnyLaw::State& state) {
+    const verify::Interaction all = full.call(b, dt, state);
+    return b.branch().norm() < b.one.radius + b.two.radius ? all : verify::Interaction{all.force};
+  };
+  CHECK(failures(verify::check_all(terse, options(claims_of(0.4)))) == Names{});
+  AnyLaw wrong = terse;
+  wrong.call = [terse](const verify::Bodies& b, double dt, AnyLaw::State& state) {
+    verify::Interaction all = terse.call(b, dt, state);
+    if (all.force1) all.force1 = verify::Vector(*all.force1 * 2.0);
+    return all;
+  };
+  CHECK(failures(verify::check_all(wrong, options({}))) == Names{"third law"});
+}
+
+TEST_CASE("A NaN is a failure wherever it is met, and no later number hides it") {
+  verify::Finding finding{0.0, 1.0};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(finding.see(0.5));
+  CHECK(finding.see(nan));
+  CHECK_FALSE(finding.see(2.0));
+  CHECK(finding.failed());
+
+  const auto law = any_law(verify::adapt(dry_hill<double>({0.4}), pair));
+  for (const bool normal : {true, false}) {
+    AnyLaw wrong = law;  // no stiffness is told of the shallow half of the contacts
+    wrong.stiffness = [law, normal, nan](const verify::Bodies& b, const AnyLaw::State& state) {
+      auto told = law.stiffness(b, state);
+      const bool shallow = b.one.radius + b.two.radius - b.branch().norm() < 5e-6;
+      if (shallow) (normal ? told.normal : told.shear) = nan;
+      return told;
+    };
+    CHECK(failures(verify::check_all(wrong, options({}))) == Names{"derivative = stiffness"});
+  }
+}

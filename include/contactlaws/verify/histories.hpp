@@ -25,7 +25,7 @@ Result purity(const Trial<Law>& trial) {
       const Vector again = trial.law(scene[i].bodies, scene[i].dt, state).force;
       for (const Vector& force : {asked, again}) {
         const double off = norm<double>(force - once[i].force) / largest_force(once);
-        if (!(off <= finding.error)) finding.error = off;
+        finding.see(off);
       }
     }
     return finding;
@@ -48,7 +48,7 @@ Result restart(const Trial<Law>& trial) {
         state = trial.law.load(trial.law.store(state));
         const Vector force = trial.law(scene[i].bodies, scene[i].dt, state).force;
         const double off = norm<double>(force - through[i].force) / largest_force(through);
-        if (!(off <= finding.error)) finding.error = off;
+        finding.see(off);
       }
       return finding;
     });
@@ -106,8 +106,7 @@ Result convergence(const Trial<Law>& trial) {
     if (last <= 1e-5 + trial.rounding()) continue;
     using std::log2;
     lowest = smaller<double>(lowest, log2(first / last) / 4);
-    if (last / first <= result.worst.error) continue;
-    result.worst.error = last / first;
+    if (!result.worst.see(last / first)) continue;
     if (result.worst.failed()) result.path = detail::smooth_path(trial.scales, amplitude, times);
   }
   std::ostringstream text;

@@ -79,9 +79,7 @@ Result restitution_as_asked(const Trial<Law>& trial) {
       return fabs(detail::collide(trial, slower * trial.scales.speed(), 0.0, n).rebound - asked);
     };
     const double error = off(steps);
-    if (error <= result.worst.error) continue;
-    result.worst.error = error;
-    if (!result.worst.failed()) continue;
+    if (!result.worst.see(error) || !result.worst.failed()) continue;
     int few = 20;  // the fewest steps in which the impact is itself to a tenth of the error
     while (few < steps && !(off(few) > 0.9 * error && off(few) < 1.1 * error)) few *= 2;
     result.path = detail::collide(trial, slower * trial.scales.speed(), 0.0, few).path;
@@ -106,9 +104,7 @@ Result oblique_impacts(const Trial<Law>& trial) {
   };
   for (int degrees = 0; degrees < 90; degrees += 2) {
     const double fine = gain(degrees, steps), error = fine - 2 * fabs(fine - gain(degrees, steps / 2));
-    if (error <= result.worst.error) continue;
-    result.worst.error = error;
-    worst_angle = degrees;
+    if (result.worst.see(error)) worst_angle = degrees;
   }
   std::ostringstream text;
   text << "of the kinetic energy, gained";

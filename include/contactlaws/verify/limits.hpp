@@ -48,7 +48,7 @@ Result coulomb_bound(const Trial<Law>& trial) {
       const double pressing = dot<double>(all[i].force, path[i].normal) + all[i].attraction;
       const double shear = norm<double>(across(all[i].force, path[i].normal));
       const double beyond = (shear - friction * positive_part<double>(pressing)) / largest_force(all);
-      if (!(beyond <= finding.error)) finding.error = beyond;
+      finding.see(beyond);
     }
     return finding;
   });
@@ -92,7 +92,7 @@ Result no_tension(const Trial<Law>& trial) {
     Finding finding{0.0, trial.rounding()};
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double pull = -dot<double>(all[i].force, path[i].normal) / largest_force(all);
-      if (!(pull <= finding.error)) finding.error = pull;
+      finding.see(pull);
     }
     return finding;
   });
@@ -201,8 +201,8 @@ Result stiffness_is_derivative(const Trial<Law>& trial) {
       const double here = along(0.0), loading = (along(h) - here) / h, unloading = (here - along(-h)) / h;
       const double normal_stiffness = told(path).normal;
       const double scale = larger<double>(fabs(normal_stiffness), larger<double>(fabs(loading), fabs(unloading)));
-      if (scale * overlap > 1e-6 * trial.scales.force)
-        finding.error = smaller<double>(fabs(loading - normal_stiffness), fabs(unloading - normal_stiffness)) / scale;
+      if (!(scale * overlap <= 1e-6 * trial.scales.force))  // a NaN is looked at
+        finding.see(smaller<double>(fabs(loading - normal_stiffness), fabs(unloading - normal_stiffness)) / scale);
 
       const double friction = trial.options.claims.friction.value_or(1.0);
       if (!(friction > 0.0)) return finding;
@@ -211,10 +211,10 @@ Result stiffness_is_derivative(const Trial<Law>& trial) {
       const Vector sheared =
           moved(closing, 0.0, slip * Rotation(Eigen::Quaterniond::FromTwoVectors(Vector(0, 0, 1), normal)).col(0));
       const double slope = norm<double>(across(sheared, normal)) / slip, shear_stiffness = told(closing).shear;
-      const double larger_one = larger<double>(slope, fabs(shear_stiffness));
-      if (larger_one * overlap > 1e-6 * trial.scales.force) {
+      const double larger_one = larger<double>(fabs(shear_stiffness), slope);
+      if (!(larger_one * overlap <= 1e-6 * trial.scales.force)) {
         const double off = fabs(slope - shear_stiffness) / larger_one;
-        if (!(off <= finding.error)) finding.error = off;
+        finding.see(off);
       }
       return finding;
     });

@@ -35,7 +35,7 @@ struct Options {
   int paths = 100;                                          ///< random paths that each property is tried on
   std::uint64_t seed = 20190501;                            ///< of the random paths
   double epsilon = std::numeric_limits<double>::epsilon();  ///< of the numbers the law computes in; float's is 2^-23
-  std::string folder;                                       ///< where the reduced paths are written; empty: nowhere
+  std::string folder;  ///< that exists: where the reduced paths are written; empty: nowhere
 
   static constexpr const char* name = "verify::Options";
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iomanip>
 #include <ostream>
@@ -25,6 +26,12 @@ struct Finding {
   double error = 0.0;
   double allowed = 0.0;
 
+  /// Takes a larger error, and a NaN, which then stays. Whether it did.
+  bool see(double off) {
+    if (off <= error || std::isnan(error)) return false;
+    error = off;
+    return true;
+  }
   bool failed() const { return !(error <= allowed); }  // a NaN fails
 };
 

@@ -29,9 +29,18 @@ Finding observed(const Trial<Law>& trial, const Path& path, const Observe& obser
   Finding finding{0.0, trial.rounding()};
   for (std::size_t i = 0; i < here.size(); ++i) {
     const double off = difference(translate(here[i]), there[i], largest_force(here), trial.length());
-    if (!(off <= finding.error)) finding.error = off;
+    finding.see(off);
   }
   return finding;
+}
+
+/// Whether any answer along the random paths has it: an open contact may well answer with a force alone.
+template <class Law, class Has>
+bool ever(const Trial<Law>& trial, const Has& has) {
+  for (const Path& path : trial.paths)
+    for (const Interaction& a : answers(trial.law, trial.scene(path)))
+      if (has(a)) return true;
+  return false;
 }
 
 }  // namespace detail
@@ -39,12 +48,13 @@ Finding observed(const Trial<Law>& trial, const Path& path, const Observe& obser
 template <class Law>
 Result third_law(const Trial<Law>& trial) {
   constexpr const char* name = "third law";
-  if (!answers(trial.law, trial.scene(trial.paths[0]))[0].force1) return not_offered(name);
+  if (!detail::ever(trial, [](const Interaction& a) { return a.force1.has_value(); })) return not_offered(name);
   return trial.judge(name, "of the force", [&](const Path& path) {
     Finding finding{0.0, 4 * trial.options.epsilon};  // a sum and a sign
     for (const Interaction& a : answers(trial.law, trial.scene(path))) {
+      if (!a.force1) continue;
       const double force = norm<double>(a.force), off = norm<double>(a.force + *a.force1);
-      if (off > 0.0 && !(off / force <= finding.error)) finding.error = off / force;
+      if (!(off <= 0.0)) finding.see(off / force);
     }
     return finding;
   });
@@ -54,17 +64,17 @@ Result third_law(const Trial<Law>& trial) {
 template <class Law>
 Result torque_balance(const Trial<Law>& trial) {
   constexpr const char* name = "torque balance";
-  const Interaction first = answers(trial.law, trial.scene(trial.paths[0]))[0];
-  if (!first.torque1 || !first.torque2) return not_offered(name);
+  if (!detail::ever(trial, [](const Interaction& a) { return a.torque1 && a.torque2; })) return not_offered(name);
   return trial.judge(name, "of force times distance", [&](const Path& path) {
     const Scene scene = trial.scene(path);
     const Answers all = answers(trial.law, scene);
     const double scale = largest_force(all) * trial.length();
     Finding finding{0.0, 100 * trial.options.epsilon};  // some dozen products and sums
     for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i].torque1 || !all[i].torque2) continue;
       const Vector sum = *all[i].torque1 + *all[i].torque2 + scene[i].bodies.branch().cross(all[i].force);
       const double off = norm<double>(sum) / scale;
-      if (!(off <= finding.error)) finding.error = off;
+      finding.see(off);
     }
     return finding;
   });
@@ -132,7 +142,7 @@ Result change_of_owner(const Trial<Law>& trial) {
         detail::State<Law> other = trial.law.exchanged(state);
         const Vector force = trial.law(Bodies{b.two, b.one}, scene[i].dt, other).force;
         const double off = norm<double>(force + here[i].force) / largest_force(here);
-        if (!(off <= finding.error)) finding.error = off;
+        finding.see(off);
         trial.law(b, scene[i].dt, state);
       }
       return finding;
@@ -229,7 +239,7 @@ Result unit_scaling(const Trial<Law>& trial) {
         const Answers there = answers(trial.law.in_units(u), scaled);
         for (std::size_t i = 0; i < here.size(); ++i) {
           const double off = norm<double>(there[i].force / u.force() - here[i].force) / largest_force(here);
-          if (!(off <= finding.error)) finding.error = off;
+          finding.see(off);
         }
       }
       return finding;

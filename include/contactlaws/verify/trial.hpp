@@ -94,7 +94,8 @@ class Trial {
     const Path* worst = nullptr;
     for (const Path& path : tried) {
       const Finding finding = measure(path);
-      if (worst && !(finding.error - finding.allowed > result.worst.error - result.worst.allowed)) continue;
+      const bool less = finding.error - finding.allowed <= result.worst.error - result.worst.allowed;  // not of a NaN
+      if (worst && (less || std::isnan(result.worst.error))) continue;
       result.worst = finding;
       worst = &path;
     }
@@ -102,6 +103,7 @@ class Trial {
     result.verdict = Verdict::fail;
     result.path = shrunk(*worst, [&](const Path& path) {
       const Finding finding = measure(path);
+      if (std::isnan(result.worst.error)) return std::isnan(finding.error);
       return finding.failed() && !(finding.error < result.worst.error / 10);
     });
     return result;
