@@ -28,7 +28,8 @@ struct Finding {
 
   /// Takes a larger error, and a NaN, which then stays. Whether it did.
   bool see(double off) {
-    if (off <= error || std::isnan(error)) return false;
+    using std::isnan;
+    if (off <= error || isnan(error)) return false;
     error = off;
     return true;
   }

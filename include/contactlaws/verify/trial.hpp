@@ -89,13 +89,14 @@ class Trial {
   /// Measures each path; a failure's worst path is reduced.
   template <class Measure>
   Result judge(const char* property, const char* unit, const std::vector<Path>& tried, const Measure& measure) const {
+    using std::isnan;
     Result result{property};
     result.measure = unit;
     const Path* worst = nullptr;
     for (const Path& path : tried) {
       const Finding finding = measure(path);
       const bool less = finding.error - finding.allowed <= result.worst.error - result.worst.allowed;  // not of a NaN
-      if (worst && (less || std::isnan(result.worst.error))) continue;
+      if (worst && (less || isnan(result.worst.error))) continue;
       result.worst = finding;
       worst = &path;
     }
@@ -103,7 +104,7 @@ class Trial {
     result.verdict = Verdict::fail;
     result.path = shrunk(*worst, [&](const Path& path) {
       const Finding finding = measure(path);
-      if (std::isnan(result.worst.error)) return std::isnan(finding.error);
+      if (isnan(result.worst.error)) return isnan(finding.error);
       return finding.failed() && !(finding.error < result.worst.error / 10);
     });
     return result;
