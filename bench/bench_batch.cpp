@@ -7,7 +7,7 @@
 #include <string>
 
 #include "contact_arrays.hpp"
-#include "contactlaws/adapt/xsimd.hpp"
+#include "contactlaws/scalars/xsimd.hpp"
 #include "runs_here.hpp"
 
 namespace {
@@ -53,9 +53,8 @@ void one_by_one(benchmark::State& run, const Law& law, std::size_t contacts, con
 /// Bytes that a batch moves per contact: what the law reads of pair and motion, state in and out, force out.
 template <class Law>
 constexpr std::size_t bytes_per_contact() {
-  constexpr std::size_t pair =
-      1 + (decltype(Law::damping)::dissipates ? 1 : 0) + (decltype(Law::bridge)::attracts ? 1 : 0);
-  constexpr std::size_t motion = decltype(Law::shear)::resists || decltype(Law::damping)::dissipates ? 7 : 4;
+  constexpr std::size_t pair = 1 + (decltype(Law::damping)::acts ? 1 : 0) + (decltype(Law::bridge)::acts ? 1 : 0);
+  constexpr std::size_t motion = decltype(Law::shear)::acts || decltype(Law::damping)::acts ? 7 : 4;
   return (pair + motion + 2 * Law::state_size + 3) * sizeof(typename Law::Scalar);
 }
 

@@ -67,9 +67,9 @@ int main(int argc, char** argv) {
   add("Hertz+Dashpots", granite<ContactLaw<Hertz<double>, Dashpots<double>>>());
   add("Hertz+ShearForce", granite<ContactLaw<Hertz<double>, NoDashpots<double>, ShearForce<double>>>());
   add("DryHill/clipped", granite<DryHill<double, Tension::clipped>>());
-  add("DryHill/turning/project", granite<Damped<ShearForce<double, Mi, carry::Project<double>>>>(),
+  add("DryHill/turning/project", granite<Damped<ShearForce<double, Mi, rotation::Project<double>>>>(),
       {0.05, 0.0, 0.0, 1e-4});
-  add("DryHill/turning/rotate", granite<Damped<ShearForce<double, Mi, carry::Rotate<double>>>>(),
+  add("DryHill/turning/rotate", granite<Damped<ShearForce<double, Mi, rotation::Rotate<double>>>>(),
       {0.05, 0.0, 0.0, 1e-4});
   add("DryHill/force_rescaled", granite<Damped<ShearForceRescaled<double>>>());
   add("DryHill/displacement", granite<Damped<ShearDisplacement<double>>>());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contactlaws/contactlaws.hpp"
+#include "examples/ballast/pohrt_popov_incremental.hpp"
 
 namespace {
 

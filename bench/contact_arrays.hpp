@@ -26,9 +26,9 @@ class ContactArrays {
       for (const Contact& c : contacts) values.push_back(static_cast<T>(value_of(c)));
       return values;
     };
-    radius_ = column([](const Contact& c) { return c.pair.radius; });
-    mass_ = column([](const Contact& c) { return c.pair.mass; });
-    smaller_radius_ = column([](const Contact& c) { return c.pair.smaller_radius; });
+    radius_ = column([](const Contact& c) { return c.pair.effective_radius; });
+    mass_ = column([](const Contact& c) { return c.pair.effective_mass; });
+    smaller_radius_ = column([](const Contact& c) { return c.pair.min_radius; });
     length_ = column([](const Contact& c) { return c.pair.length; });
     overlap_ = column([](const Contact& c) { return c.there.overlap; });
     for (int axis = 0; axis < 3; ++axis) {
@@ -44,8 +44,8 @@ class ContactArrays {
         Reference::store(first_state<Reference>(c), values.data());
         return values[i];
       }));
-    young_ = static_cast<T>(contacts.front().pair.young);
-    shear_ = static_cast<T>(contacts.front().pair.shear);
+    young_ = static_cast<T>(contacts.front().pair.effective_young);
+    shear_ = static_cast<T>(contacts.front().pair.effective_shear);
     dt_ = static_cast<T>(contacts.front().there.dt);
   }
 

@@ -61,7 +61,7 @@ inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}
 template <class Law>
 typename Law::State first_state(const Contact& contact) {
   typename Law::State state{};
-  if constexpr (decltype(Law::bridge)::attracts)
+  if constexpr (decltype(Law::bridge)::acts)
     if (contact.wet) state.moisture = 2;
   return state;
 }
@@ -76,9 +76,9 @@ Law granite() {
   if constexpr (std::is_base_of_v<RoughProfile<double, Power::accurate>, Normal> ||
                 std::is_base_of_v<RoughProfile<double, Power::fast>, Normal>)
     law.normal = Normal::of({2.13, 26.1e-6});
-  if constexpr (decltype(Law::damping)::dissipates) law.damping.damping_constant = 0.07;
-  if constexpr (decltype(Law::shear)::resists) law.shear.friction = 0.4;
-  if constexpr (decltype(Law::bridge)::attracts) law.bridge.suction = 200e3;
+  if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = 0.07;
+  if constexpr (decltype(Law::shear)::acts) law.shear.friction = 0.4;
+  if constexpr (decltype(Law::bridge)::acts) law.bridge.suction = 200e3;
   return checked(law);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ballast/pohrt_popov_incremental.hpp"
 #include "catch.hpp"
 #include "contactlaws/contactlaws.hpp"
 #include "random.hpp"
@@ -20,7 +21,7 @@ auto compose(const Normal& normal, const Damping& damping, const Shear& shear, c
 template <class Visit>
 void visit_laws(Visit visit) {
   using T = double;
-  using carry::Project, carry::ProjectRestore, carry::Rotate;
+  using rotation::Project, rotation::ProjectRestore, rotation::Rotate;
   const Hertz<T> hertz;
   const LinearSpring<T> spring{1e6};
   const LinearModulus<T> modulus{5e8};
@@ -93,9 +94,9 @@ struct Path {
 
 inline Path random_path(Random& random, int length) {
   Path path{random_pair(random), {}, random.chance(0.7)};
-  const double deep = path.pair.radius * random.log_uniform(1e-4, 1e-2);
-  const double stiffness = path.pair.young * std::sqrt(path.pair.radius * deep);
-  const double dt = random.log_uniform(0.01, 1.0) * std::sqrt(path.pair.mass / stiffness);
+  const double deep = path.pair.effective_radius * random.log_uniform(1e-4, 1e-2);
+  const double stiffness = path.pair.effective_young * std::sqrt(path.pair.effective_radius * deep);
+  const double dt = random.log_uniform(0.01, 1.0) * std::sqrt(path.pair.effective_mass / stiffness);
   Vec3<double> normal = random.direction();
   for (int i = 0; i < length; ++i) {
     const double turn = random.uniform(0.0, 0.1);
@@ -109,9 +110,9 @@ inline Path random_path(Random& random, int length) {
 }
 
 template <class Law>
-constexpr bool has_bridge = decltype(std::declval<Law>().bridge)::attracts;
+constexpr bool has_bridge = decltype(std::declval<Law>().bridge)::acts;
 template <class Law>
-constexpr bool has_shear = decltype(std::declval<Law>().shear)::resists;
+constexpr bool has_shear = decltype(std::declval<Law>().shear)::acts;
 
 /// The state in which a contact of this law starts the path.
 template <class Law>
@@ -144,7 +145,7 @@ typename Law::Scalar* values_of(typename Law::State& state) {
 template <class T, class State>
 T force_scale(const Step<T, State>& step) {
   using std::abs;
-  return norm<T>(step.force) + abs(step.elastic) + abs(step.surface) + step.attraction;
+  return norm<T>(step.force) + abs(step.normal_elastic) + abs(step.normal_force) + step.bridge_force;
 }
 
 }  // namespace contactlaws::test

@@ -2,7 +2,7 @@
 """Reads the headers as text and fails where one breaks a rule of the house:
 
 - includes run strictly downwards, by the table of layers below;
-- the core and verify/ include nothing but Eigen and the standard library (adapt/ may include what it adapts);
+- the core and verify/ include nothing but Eigen and the standard library (scalars/ may include what it adapts);
 - mathematics is called unqualified, so that every scalar brings its own: `using std::sqrt; sqrt(x)`;
 - a header has one subject, and no more than 250 lines.
 """
@@ -12,14 +12,13 @@ import sys
 from pathlib import Path
 
 LAYERS = [
-    "config version",
-    "scalar",
-    "parameter power",
-    "validate kinematics",
-    "material carry slots",
-    "linear hertz dashpots shear liquid_bridge",
-    "pohrt_popov contact_law restitution",
-    "pohrt_popov_incremental",
+    "core/config core/version",
+    "core/scalar",
+    "core/parameter core/power",
+    "core/validate kinematics",
+    "pair tangential/rotation slot",
+    "normal/linear normal/hertz damping/dashpots tangential/incremental_shear bridge/suction_bridge",
+    "normal/pohrt_popov contact_law damping/restitution",
     "laws batch timestep energy",
     "contactlaws",
     "verify/adapter verify/options",
@@ -37,7 +36,7 @@ MATHEMATICS = """abs fabs sqrt cbrt hypot exp exp2 expm1 log log2 log10 log1p po
     sinh cosh tanh asinh acosh atanh fma fmin fmax min max floor ceil round copysign isfinite isnan isinf""".split()
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-OUR_OWN = re.compile(r"^(?:contactlaws/)?((?:(?:adapt|verify)/)?\w+\.hpp)$")
+OUR_OWN = re.compile(r"^(?:contactlaws/)?((?:\w+/)?\w+\.hpp)$")
 STANDARD_OR_EIGEN = re.compile(r"^(?:[a-z_0-9]+|Eigen/\w+)$")
 QUALIFIED = re.compile(rf"\bstd\s*::\s*({'|'.join(MATHEMATICS)})\s*[(<]")
 
@@ -49,8 +48,8 @@ def without_comments(text):
 
 def complaints(header, name):
     text = header.read_text()
-    adapt = name.startswith("adapt/")
-    if not adapt and name not in LAYER:
+    scalars = name.startswith("scalars/")
+    if not scalars and name not in LAYER:
         yield 1, "has no layer: give it one in tests/layers.py"
         return
     if text.count("\n") > LONGEST:
@@ -60,9 +59,9 @@ def complaints(header, name):
         if include:
             file = include.group(2)
             own = OUR_OWN.match(file)
-            if own and not adapt and LAYER.get(own.group(1), len(LAYERS)) >= LAYER[name]:
+            if own and not scalars and LAYER.get(own.group(1), len(LAYERS)) >= LAYER[name]:
                 yield number, f"includes {file}, which does not lie below it"
-            if not own and not adapt and not STANDARD_OR_EIGEN.match(file):
+            if not own and not scalars and not STANDARD_OR_EIGEN.match(file):
                 yield number, f"includes {file}: the core needs Eigen and the standard library only"
         for function in QUALIFIED.findall(line):
             yield number, f"calls std::{function}: write `using std::{function};` and call it unqualified"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "contactlaws/adapt/multiprecision.hpp"
+#include "contactlaws/scalars/multiprecision.hpp"
 
 namespace contactlaws::test {
 

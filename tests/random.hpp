@@ -6,7 +6,7 @@
 #include <random>
 
 #include "contactlaws/kinematics.hpp"
-#include "contactlaws/material.hpp"
+#include "contactlaws/pair.hpp"
 
 namespace contactlaws::test {
 
@@ -86,9 +86,13 @@ inline PairProperties<double> random_pair(Random& random) {
 /// Properties that no pair has, for tests of accuracy: each log-uniform over many binades.
 template <class T>
 PairProperties<T> wide_pair(Random& random) {
-  const T smaller_radius = random.binary<T>(-30, 8);
-  return {random.binary<T>(-30, 8),  random.binary<T>(10, 40), random.binary<T>(10, 40),
-          random.binary<T>(-60, 20), smaller_radius,           smaller_radius * random.binary<T>(0, 6)};
+  const T min_radius = random.binary<T>(-30, 8);
+  return {random.binary<T>(-30, 8),
+          random.binary<T>(10, 40),
+          random.binary<T>(10, 40),
+          random.binary<T>(-60, 20),
+          min_radius,
+          min_radius * random.binary<T>(0, 6)};
 }
 
 /// log2 of the smallest number of T.

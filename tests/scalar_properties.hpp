@@ -28,7 +28,7 @@ Moment<Law> random_moment(const Law& law, Random& random) {
     now.kinematics = kinematics.template cast<T>();
     now.kinematics.normal = now.kinematics.normal / norm<T>(now.kinematics.normal);
     const auto step = law.step(now.pair, now.kinematics, now.state);
-    now.force = larger<T>(now.force, force_scale(step));
+    now.force = maximum<T>(now.force, force_scale(step));
     if (&kinematics != &path.steps.back()) now.state = step.state;
   }
   return now;
@@ -57,7 +57,7 @@ bool same_state(typename Law::State a, typename Law::State b, bool swapped = fal
 
 template <class T, class State>
 Vec3<T> shear_part(const Step<T, State>& step, const Vec3<T>& normal) {
-  return step.force - normal * T(step.surface - step.attraction);
+  return step.force - normal * T(step.normal_force - step.bridge_force);
 }
 
 /// A rotation drawn at random, orthogonal to the precision of T.
@@ -100,12 +100,12 @@ struct Units {
   template <class Law>
   Moment<Law> operator()(Moment<Law> m) const {
     const T pascal = factor("Pa");
-    m.pair = {m.pair.radius * length, m.pair.young * pascal,          m.pair.shear * pascal,
-              m.pair.mass * mass,     m.pair.smaller_radius * length, m.pair.length * length};
+    m.pair = {m.pair.effective_radius * length, m.pair.effective_young * pascal, m.pair.effective_shear * pascal,
+              m.pair.effective_mass * mass,     m.pair.min_radius * length,      m.pair.length * length};
     m.kinematics.overlap = m.kinematics.overlap * length;
     m.kinematics.velocity = m.kinematics.velocity * T(length / time);
     m.kinematics.dt = m.kinematics.dt * time;
-    m.kinematics.spin = m.kinematics.spin / time;
+    m.kinematics.normal_spin = m.kinematics.normal_spin / time;
     m.state = (*this)(m.state, Law{});
     m.force = m.force * factor("N");
     return m;
@@ -134,15 +134,15 @@ TEMPLATE_LIST_TEST_CASE("an open contact exerts nothing but its bridge's pull, a
     for (int i = 0; i < cases(20); ++i) {
       Moment<Law> m = random_moment(law, random);
       const T range = law.interaction_range(m.pair);
-      for (const T& gap : {T(0), T(range / 2), range, T(range * 2 + m.pair.radius)}) {
+      for (const T& gap : {T(0), T(range / 2), range, T(range * 2 + m.pair.effective_radius)}) {
         m.kinematics.overlap = -gap;
         auto step = law.step(m.pair, m.kinematics, m.state);
-        CHECK(step.elastic == 0);
-        CHECK(step.surface == 0);
+        CHECK(step.normal_elastic == 0);
+        CHECK(step.normal_force == 0);
         CHECK_FALSE(step.sliding);
-        CHECK(same<T>(step.force, m.kinematics.normal * T(-step.attraction)));
-        if (gap >= range && gap > 0) CHECK(step.attraction == 0);
-        CHECK(step.active == (gap <= 0 || step.attraction > 0));
+        CHECK(same<T>(step.force, m.kinematics.normal * T(-step.bridge_force)));
+        if (gap >= range && gap > 0) CHECK(step.bridge_force == 0);
+        CHECK(step.active == (gap <= 0 || step.bridge_force > 0));
         typename Law::State forgotten = step.state;
         static_cast<typename decltype(law.shear)::State&>(forgotten) = {};
         CHECK(same_state<Law>(step.state, forgotten));
@@ -160,10 +160,10 @@ TEMPLATE_LIST_TEST_CASE("a closed contact pushes, and resists motion", "", Scala
       if (!(m.kinematics.overlap > 0)) continue;
       const auto step = law.step(m.pair, m.kinematics, typename Law::State{});
       CHECK(step.active);
-      CHECK(step.elastic > 0);
-      CHECK(step.attraction == 0);
+      CHECK(step.normal_elastic > 0);
+      CHECK(step.bridge_force == 0);
       const T separating = m.kinematics.velocity.dot(m.kinematics.normal);
-      CHECK((separating > 0 ? step.surface <= step.elastic : step.surface >= step.elastic));
+      CHECK((separating > 0 ? step.normal_force <= step.normal_elastic : step.normal_force >= step.normal_elastic));
 
       const Vec3<T> shear = shear_part(step, m.kinematics.normal);
       // Shear is what is left when the normal part is taken away: 8 roundings of forces of this size.
@@ -174,7 +174,7 @@ TEMPLATE_LIST_TEST_CASE("a closed contact pushes, and resists motion", "", Scala
 
       ContactKinematics<T> deeper = m.kinematics;
       deeper.overlap = deeper.overlap * 2;
-      CHECK(law.step(m.pair, deeper, typename Law::State{}).elastic > step.elastic);
+      CHECK(law.step(m.pair, deeper, typename Law::State{}).normal_elastic > step.normal_elastic);
       const ContactStiffness<T> stiffness = law.stiffness(m.pair, m.kinematics.overlap, {});
       CHECK(stiffness.normal > 0);
       CHECK((stiffness.shear > 0) == has_shear<Law>);
@@ -192,9 +192,9 @@ TEMPLATE_LIST_TEST_CASE("friction bounds the shear force", "", Scalars) {
       const T shear = norm<T>(shear_part(step, m.kinematics.normal));
       const T rounding = 8 * epsilon<T>() * force_scale(step);
       if constexpr (has_shear<Law>) {
-        const T strength = law.shear.friction * positive_part<T>(step.surface);
+        const T strength = law.shear.friction * positive_part<T>(step.normal_force);
         CHECK(shear <= strength + rounding);
-        if (step.sliding && !decltype(law.damping)::dissipates) CHECK(shear >= strength - rounding);
+        if (step.sliding && !decltype(law.damping)::acts) CHECK(shear >= strength - rounding);
       } else {
         CHECK(shear <= rounding);
         CHECK_FALSE(step.sliding);
@@ -254,7 +254,7 @@ TEMPLATE_LIST_TEST_CASE("bodies that swap places feel exactly opposite forces", 
       Moment<Law> other = m;
       other.kinematics.normal = -m.kinematics.normal;
       other.kinematics.velocity = -m.kinematics.velocity;
-      other.kinematics.spin = -m.kinematics.spin;
+      other.kinematics.normal_spin = -m.kinematics.normal_spin;
       for (std::size_t j = 0; j < Law::state_size; ++j) {
         T& value = values_of<Law>(other.state)[j];
         value = value * T(Law::exchange_sign(j));
@@ -263,8 +263,8 @@ TEMPLATE_LIST_TEST_CASE("bodies that swap places feel exactly opposite forces", 
       const auto seen = law.step(other.pair, other.kinematics, other.state);
       CHECK(same<T>(seen.force, -step.force));
       CHECK(same_state<Law>(seen.state, step.state, true));
-      CHECK(seen.elastic == step.elastic);
-      CHECK(seen.surface == step.surface);
+      CHECK(seen.normal_elastic == step.normal_elastic);
+      CHECK(seen.normal_force == step.normal_force);
       CHECK(seen.sliding == step.sliding);
     }
   });

@@ -58,14 +58,15 @@ inline Parameters parameters_of(const LawDescription& law) {
   if (law.normal.has("seed_force")) p.seed_force = law.normal.number<double>("seed_force");
   std::visit(
       [&p](const auto& damping) {
-        if constexpr (std::decay_t<decltype(damping)>::dissipates) p.damping_constant = damping.damping_constant;
+        if constexpr (std::decay_t<decltype(damping)>::acts) p.damping_constant = damping.damping_constant;
       },
       slots.damping);
   if (law.shear.law != "none") {
     p.friction = law.shear.number<double>("friction");
     if (!law.is_mindlin()) {
       p.ratio = law.shear.has("ratio") ? law.shear.number<double>("ratio") : mindlin_ratio<double>(p.pair);
-      p.pair.shear = p.ratio * p.pair.young / 4.0;  // the same stiffness as Mindlin's, for a Hertz contact
+      p.pair.effective_shear =
+          p.ratio * p.pair.effective_young / 4.0;  // the same stiffness as Mindlin's, for a Hertz contact
     }
   }
   p.bridge = build::filled<double>(SuctionBridge<double>{}, law.bridge);

@@ -75,7 +75,8 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
   constexpr std::size_t steps = 240, pressing = 40, cycle = 100;
   const bool cyclic = family == "cyclic_shear" || family == "reload";
   const auto& pair = p.pair;
-  const double half = pair.length / 2.0, root = std::sqrt(std::max(half * half - pair.radius * pair.length, 0.0));
+  const double half = pair.length / 2.0,
+               root = std::sqrt(std::max(half * half - pair.effective_radius * pair.length, 0.0));
   const double radius1 = half + root, radius2 = half - root;  // R1 R2 / (R1 + R2) = R*
 
   std::mt19937_64 random(20190405);
@@ -91,9 +92,9 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
   };
   std::vector<Drawn> drawn;
   for (std::size_t c = 0; c < contacts; ++c) {
-    const double deepest = pair.radius * std::pow(10.0, rough ? between(-2.6, -1.7) : between(-3.2, -2.2));
-    const double speed =
-        std::sqrt(16.0 / 15.0 * pair.young * std::sqrt(pair.radius) * std::pow(deepest, 2.5) / pair.mass);
+    const double deepest = pair.effective_radius * std::pow(10.0, rough ? between(-2.6, -1.7) : between(-3.2, -2.2));
+    const double speed = std::sqrt(16.0 / 15.0 * pair.effective_young * std::sqrt(pair.effective_radius) *
+                                   std::pow(deepest, 2.5) / pair.effective_mass);
     const double impact = 2.943275 * deepest / speed, slow = 20.0 * impact;
     const double bearable = (p.friction > 0.0 ? p.friction : 0.4) * deepest;
     const double first = between(0.0, 1.0), second = between(0.0, 1.0), third = between(-1.0, 1.0);
@@ -134,7 +135,7 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
       }
     } else {
       duration = slow;
-      const double rupture = bridged ? p.bridge.range(pair) : 2.0 * pair.smaller_radius;
+      const double rupture = bridged ? p.bridge.range(pair) : 2.0 * pair.min_radius;
       const double near = 0.3 * rupture, far = 1.3 * rupture;
       const double quarter = slow * 60.5 / double(steps);
       m.overlap = [=](double t) {
@@ -170,7 +171,7 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
       const auto enter = [&](auto zero, auto& rows) {
         using T = decltype(zero);
         const auto in = [](const Vec3<double>& v) { return Vec3<T>(v.template cast<T>()); };
-        const auto at = contactlaws::meet_spheres<T>(in(d.place), T(radius1), in(other), T(radius2));
+        const auto at = contactlaws::sphere_sphere<T>(in(d.place), T(radius1), in(other), T(radius2));
         rows.push_back({at.normal, at.overlap, in(velocity), T(dt), T(d.motion.twist(then))});
       };
       enter(double(0), scene.in_double);

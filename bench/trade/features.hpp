@@ -36,7 +36,7 @@ inline Use use_of(const Scene& scene, const Reference& reference) {
       const Truth& truth = reference.rows[row];
       const Vec3<double> force = truth.force.cast<double>();
       use.largest_force = std::max(use.largest_force, force.norm());
-      use.strongest_pull = std::max(use.strongest_pull, truth.attraction);
+      use.strongest_pull = std::max(use.strongest_pull, truth.bridge_force);
       if (!(motion.overlap > 0.0)) {
         use.nearest_gap = std::min(use.nearest_gap, -motion.overlap);
         first[c].setZero();
@@ -46,7 +46,7 @@ inline Use use_of(const Scene& scene, const Reference& reference) {
       if (truth.sliding) ++use.sliding;
       if (motion.overlap < deepest[c]) use.unloads = true;
       deepest[c] = std::max(deepest[c], motion.overlap);
-      use.strongest_damping = std::max(use.strongest_damping, std::abs(truth.surface - truth.elastic));
+      use.strongest_damping = std::max(use.strongest_damping, std::abs(truth.normal_force - truth.normal_elastic));
       use.strongest_shear = std::max(use.strongest_shear, (force - motion.normal * force.dot(motion.normal)).norm());
       if (first[c].isZero(0.0)) first[c] = motion.normal;
       use.largest_turn =

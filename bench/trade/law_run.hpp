@@ -5,7 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "contactlaws/adapt/xsimd.hpp"
+#include "ballast/pohrt_popov_incremental.hpp"
+#include "contactlaws/scalars/xsimd.hpp"
 #include "run.hpp"
 
 namespace trade {
@@ -25,10 +26,10 @@ Law law_of(const Parameters& p) {
     law.normal.transition_overlap = p.surface.transition_overlap;
   }
   if constexpr (std::is_same_v<Normal, PohrtPopovIncremental<double>>) law.normal.seed_force = p.seed_force;
-  if constexpr (decltype(Law::damping)::dissipates) law.damping.damping_constant = p.damping_constant;
-  if constexpr (decltype(Law::shear)::resists) law.shear.friction = p.friction;
-  if constexpr (decltype(Law::shear)::resists && !std::is_same_v<Normal, Hertz<double>>) law.shear.ratio = p.ratio;
-  if constexpr (decltype(Law::bridge)::attracts) law.bridge = p.bridge;
+  if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = p.damping_constant;
+  if constexpr (decltype(Law::shear)::acts) law.shear.friction = p.friction;
+  if constexpr (decltype(Law::shear)::acts && !std::is_same_v<Normal, Hertz<double>>) law.shear.ratio = p.ratio;
+  if constexpr (decltype(Law::bridge)::acts) law.bridge = p.bridge;
   return checked(law);
 }
 
@@ -69,7 +70,7 @@ typename Law::Scalar stored_energy(const void* erased, const PairProperties<type
 template <class Law>
 std::vector<typename Law::Scalar> first_state(bool wet) {
   typename Law::State state{};
-  if constexpr (decltype(Law::bridge)::attracts)
+  if constexpr (decltype(Law::bridge)::acts)
     if (wet) Law::make_wet(state, 0, 0);
   std::vector<typename Law::Scalar> values(Law::state_size);
   Law::store(state, values.data());
@@ -132,7 +133,7 @@ class BatchRun final : public Run {
       dt_.push_back(m.dt);
     }
     for (auto& column : force_) column.resize(motion.size());
-    const std::array<T, 4> each{pair_.radius, pair_.mass, pair_.smaller_radius, pair_.length};
+    const std::array<T, 4> each{pair_.effective_radius, pair_.effective_mass, pair_.min_radius, pair_.length};
     for (std::size_t i = 0; i < each.size(); ++i) pairs_[i].assign(scene.contacts(), each[i]);
     reset();
   }
@@ -141,7 +142,8 @@ class BatchRun final : public Run {
   }
   void advance(std::size_t first, std::size_t last) override {
     ContactBatch<Law> batch;
-    batch.pair = {pairs_[0].data(), pair_.young, pair_.shear, pairs_[1].data(), pairs_[2].data(), pairs_[3].data()};
+    batch.pair = {pairs_[0].data(), pair_.effective_young, pair_.effective_shear,
+                  pairs_[1].data(), pairs_[2].data(),      pairs_[3].data()};
     for (std::size_t i = 0; i < Law::state_size; ++i) batch.state[i] = batch.next[i] = state_[i].data();
     for (std::size_t step = first; step < last; ++step) {
       const std::size_t row = scene_.offset[step];

@@ -15,7 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "contactlaws/adapt/xsimd.hpp"
+#include "contactlaws/scalars/xsimd.hpp"
 #include "measurement.hpp"
 #include "replay.hpp"
 

@@ -2,8 +2,8 @@
 #include "reference.hpp"
 
 #include "../../examples/contact_path/build_law.hpp"
-#include "contactlaws/adapt/multiprecision.hpp"
 #include "contactlaws/energy.hpp"
+#include "contactlaws/scalars/multiprecision.hpp"
 
 namespace trade {
 
@@ -17,7 +17,7 @@ template <class Law>
 Reference solve_with(const Law& law, const LawSlots<T>& slots, const Scene& scene,
                      const std::function<void(double)>& progress) {
   typename Law::State first{};
-  if constexpr (decltype(Law::bridge)::attracts)
+  if constexpr (decltype(Law::bridge)::acts)
     if (slots.starts_wet) Law::make_wet(first, T(0), T(0));
   std::vector<typename Law::State> state(scene.contacts(), first);
   std::vector<contactlaws::EnergyLedger<T>> ledger(scene.contacts());
@@ -33,8 +33,8 @@ Reference solve_with(const Law& law, const LawSlots<T>& slots, const Scene& scen
       state[c] = answer.state;
       ledger[c].enter(law, slots.pair, motion, answer);
       result.energy_scale[c] = std::max(result.energy_scale[c], std::abs(static_cast<double>(ledger[c].work)));
-      result.rows.push_back({answer.force.template cast<long double>(), static_cast<double>(answer.elastic),
-                             static_cast<double>(answer.surface), static_cast<double>(answer.attraction),
+      result.rows.push_back({answer.force.template cast<long double>(), static_cast<double>(answer.normal_elastic),
+                             static_cast<double>(answer.normal_force), static_cast<double>(answer.bridge_force),
                              answer.sliding});
     }
   }

@@ -14,9 +14,9 @@ namespace trade {
 /// One row of the answer, rounded at last.
 struct Truth {
   Vec3<long double> force;  ///< on body 2 [N]
-  double elastic;           ///< normal spring's part, compression > 0 [N]
-  double surface;           ///< normal spring and dashpot [N]
-  double attraction;        ///< the bridge's pull [N]
+  double normal_elastic;    ///< normal spring's part, compression > 0 [N]
+  double normal_force;      ///< normal spring and dashpot [N]
+  double bridge_force;      ///< the bridge's pull [N]
   bool sliding;
 };
 

@@ -82,11 +82,11 @@ class Maker {
     if (c_.history == History::none) return with_bridge<T, Geometry, Damper, Frictionless<T>>();
     switch (c_.carrying) {
       case Carrying::project:
-        return with_history<T, Geometry, Damper, carry::Project<T>>();
+        return with_history<T, Geometry, Damper, rotation::Project<T>>();
       case Carrying::project_restore:
-        return with_history<T, Geometry, Damper, carry::ProjectRestore<T>>();
+        return with_history<T, Geometry, Damper, rotation::ProjectRestore<T>>();
       case Carrying::rotate:
-        return with_history<T, Geometry, Damper, carry::Rotate<T>>();
+        return with_history<T, Geometry, Damper, rotation::Rotate<T>>();
     }
     return nullptr;
   }
@@ -118,7 +118,7 @@ class Maker {
     using Shear = decltype(Law::shear);
     constexpr bool in_one_type = std::is_same_v<T, Geometry>;
     constexpr bool plain_damping = !std::is_same_v<decltype(Law::damping), Dashpots<T, Tension::clipped>>;
-    constexpr bool plain_shear = !Shear::resists || std::is_same_v<Shear, ShearForce<T, Stiffness<T>>>;
+    constexpr bool plain_shear = !Shear::acts || std::is_same_v<Shear, ShearForce<T, Stiffness<T>>>;
     constexpr bool plain = in_one_type && plain_damping && plain_shear;
     if (c_.path == Path::batch) {
       if constexpr (plain) return std::make_unique<BatchRun<Law>>(law<Law>(), p_, scene_);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "contactlaws/adapt/multiprecision.hpp"
 #include "contactlaws/kinematics.hpp"
+#include "contactlaws/scalars/multiprecision.hpp"
 
 namespace trade {
 

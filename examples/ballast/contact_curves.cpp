@@ -17,6 +17,7 @@
 #include "../memo/report.hpp"
 #include "contactlaws/contactlaws.hpp"
 #include "expected.hpp"
+#include "pohrt_popov_incremental.hpp"
 
 namespace {
 
@@ -52,7 +53,8 @@ memo::Rows numbers() {
                            double computed) {
     rows.push_back({std::string("contact_curves.") + id, unit, published, exact, computed, 1e-12});
   };
-  add("full_contact_area", "m^2", 6.68e-7, expected::full_contact_area, surface.full_contact_area(pair.radius));
+  add("full_contact_area", "m^2", 6.68e-7, expected::full_contact_area,
+      surface.full_contact_area(pair.effective_radius));
   add("transition_force", "N", 1775.0, expected::transition_force, transition.force);
   add("transition_stiffness", "N/m", {}, expected::transition_stiffness, transition.stiffness);
   add("transition_overlap", "m", {}, expected::transition_overlap, law.transition_overlap);

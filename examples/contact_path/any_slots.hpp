@@ -108,7 +108,7 @@ class AnyShear {
  public:
   template <class U>
   using Rebind = AnyShear<U>;
-  static constexpr bool resists = true;
+  static constexpr bool acts = true;
   static constexpr std::size_t room = 7;
   struct State {
     std::array<T, room> shear = {T(0), T(0), T(0), T(0), T(0), T(0), T(0)};

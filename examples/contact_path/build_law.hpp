@@ -7,8 +7,9 @@
 #include <variant>
 
 #include "any_slots.hpp"
+#include "ballast/pohrt_popov_incremental.hpp"
+#include "contactlaws/damping/restitution.hpp"
 #include "contactlaws/laws.hpp"
-#include "contactlaws/restitution.hpp"
 #include "law_description.hpp"
 
 namespace contact_path {
@@ -44,11 +45,11 @@ Slot filled(Slot slot, const Description& description) {
 }
 
 template <class T>
-contactlaws::Side<T> side(const Description& body) {
+contactlaws::ContactBody<T> side(const Description& body) {
   using namespace contactlaws;
   // What a rigid or a held body is not asked for does not matter: any value in the range will do.
   const ElasticMaterial<T> material = filled<T>(ElasticMaterial<T>{T(1), T(0), T(1)}, body);
-  Side<T> side = body.is("plane") ? plane<T>(material) : sphere<T>(material, body.number<T>("radius"));
+  ContactBody<T> side = body.is("plane") ? plane<T>(material) : sphere<T>(material, body.number<T>("radius"));
   if (body.has("mass")) side = side.with_mass(body.number<T>("mass"));
   if (body.is("fixed")) side = side.fixed();
   if (body.is("rigid")) side = side.rigid();
@@ -61,7 +62,7 @@ PairProperties<T> pair(const LawDescription& law) {
   // What the law does not ask for may be left out; should it ask all the same, nothing but NaN would come of it.
   const T unknown = std::numeric_limits<T>::quiet_NaN();
   const auto value = [&](const char* key) { return law.pair.number_or<T>(key, unknown); };
-  return {value("radius"), value("young"), value("shear"), value("mass"), value("smaller_radius"), value("length")};
+  return {value("radius"), value("young"), value("shear"), value("mass"), value("min_radius"), value("length")};
 }
 
 template <class T>
@@ -119,7 +120,7 @@ AnyShear<T> shear_history(const Description& said, const Stiffness& stiffness) {
 
 template <class T, class Stiffness>
 AnyShear<T> carried_shear(const Description& said, const Stiffness& stiffness) {
-  using namespace contactlaws::carry;
+  using namespace contactlaws::rotation;
   const std::string& carry = said.word("carry");
   if (carry == "project") return shear_history<T, Stiffness, Project<T>>(said, stiffness);
   if (carry == "rotate") return shear_history<T, Stiffness, Rotate<T>>(said, stiffness);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ballast/pohrt_popov_incremental.hpp"
 #include "contactlaws/laws.hpp"
 
 namespace contact_path {
@@ -104,7 +105,7 @@ inline const std::vector<Choice>& normal_choices() {
        "F = k o, with k given, or k = E pi r^2/L from an effective modulus",
        {},
        {number<LinearSpring<double>>("normal_stiffness", Presence::either).renamed("stiffness"),
-        number<LinearModulus<double>>("modulus", Presence::either, "asks for the pair's smaller_radius and length")},
+        number<LinearModulus<double>>("modulus", Presence::either, "asks for the pair's min_radius and length")},
        {},
        {}},
       {"hertz", "F = 4/3 E* sqrt(R*) o^(3/2)", {"radius", "young"}, {}, {}, {}},
@@ -159,7 +160,7 @@ inline const std::vector<Choice>& bridge_choices() {
       {"none", "dry", {}, {}, {}, {}},
       {"suction",
        "F = psi pi R_o^2 exp(-gap / (decay_length R_o)), until the gap is rupture_gap R_o",
-       {"smaller_radius"},
+       {"min_radius"},
        {number<Bridge>("suction", Presence::required, "psi"), number<Bridge>("decay_length", Presence::optional),
         number<Bridge>("rupture_gap", Presence::optional)},
        {},
@@ -178,7 +179,7 @@ inline const Choice& effective_pair() {
       {},
       {key("radius", "m", "1/R* = 1/R1 + 1/R2"), key("young", "Pa", "1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2"),
        key("shear", "Pa", "1/G* = 2(2-nu1)(1+nu1)/E1 + 2(2-nu2)(1+nu2)/E2"), key("mass", "kg", "1/m* = 1/m1 + 1/m2"),
-       key("smaller_radius", "m", "R_o, of the smaller body"), key("length", "m", "L = R1 + R2; a wall adds nothing")},
+       key("min_radius", "m", "R_o, of the smaller body"), key("length", "m", "L = R1 + R2; a wall adds nothing")},
       {},
       {}};
   return choice;

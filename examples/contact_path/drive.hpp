@@ -24,7 +24,7 @@ class Drive {
 
   Drive(const Law& law, const PairProperties<T>& pair, bool starts_wet, std::ostream& out)
       : law_(law), pair_(pair), names_(names_of(law)), out_(out) {
-    if constexpr (attracts)
+    if constexpr (acts)
       if (starts_wet) Law::make_wet(state_, T(0), T(0));
     out_.precision(17);
     out_ << "step,fx,fy,fz,fn_elastic,fn_total,slip,active,stored_energy,dissipated_energy";
@@ -42,10 +42,10 @@ class Drive {
     ++steps_;
     check(answer.force, place);
 
-    const T total = answer.surface - answer.attraction;
+    const T total = answer.normal_force - answer.bridge_force;
     out_ << steps_ << ',' << answer.force.x() << ',' << answer.force.y() << ',' << answer.force.z() << ','
-         << answer.elastic << ',' << total << ',' << answer.sliding << ',' << answer.active << ',' << ledger_.stored
-         << ',' << ledger_.dissipated();
+         << answer.normal_elastic << ',' << total << ',' << answer.sliding << ',' << answer.active << ','
+         << ledger_.stored << ',' << ledger_.dissipated();
     std::array<T, Law::state_size> values;
     Law::store(state_, values.data());
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -54,23 +54,23 @@ class Drive {
   }
 
  private:
-  static constexpr bool attracts = decltype(Law::bridge)::attracts;
+  static constexpr bool acts = decltype(Law::bridge)::acts;
 
   static bool is_used(const StateValue& value) { return *value.name != '\0'; }
 
   static std::array<StateValue, Law::state_size> names_of(const Law& law) {
     const auto with_bridge = [](const auto& first) {
-      return contactlaws::joined(first, decltype(Law::bridge)::state_values());
+      return contactlaws::concatenate(first, decltype(Law::bridge)::state_values());
     };
-    if constexpr (decltype(Law::shear)::resists) {
-      return with_bridge(contactlaws::joined(law.normal.names(), law.shear.names()));
+    if constexpr (decltype(Law::shear)::acts) {
+      return with_bridge(contactlaws::concatenate(law.normal.names(), law.shear.names()));
     } else {
       return with_bridge(law.normal.names());
     }
   }
 
   void wet([[maybe_unused]] const PathStep<T>& now, [[maybe_unused]] const Place& place) {
-    if constexpr (attracts) {
+    if constexpr (acts) {
       Law::make_wet(state_, now.kinematics.overlap, *now.moisture_gap);
     } else {
       fail(place, "column make_wet has a value, but the law has no bridge");

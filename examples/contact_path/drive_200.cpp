@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "contactlaws/adapt/multiprecision.hpp"
+#include "contactlaws/scalars/multiprecision.hpp"
 #include "drive.hpp"
 
 template void contact_path::drive<contactlaws::Binary200>(const LawDescription&, const std::string&, std::ostream&);

@@ -250,7 +250,7 @@ class LawFile {
     needs_all(law.damping, damping_choices());
     needs_all(law.bridge, bridge_choices());
     if (law.normal.has("modulus")) {
-      needs("smaller_radius", "[normal] modulus");
+      needs("min_radius", "[normal] modulus");
       needs("length", "[normal] modulus");
     }
     if (law.is_mindlin()) needs("shear", "Mindlin's stiffness");

@@ -13,7 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "contactlaws/adapt/multiprecision.hpp"
+#include "contactlaws/scalars/multiprecision.hpp"
 #include "law_file.hpp"
 #include "list.hpp"
 #include "output_file.hpp"

@@ -188,7 +188,7 @@ expect("rotating_pair", "rotating_pair", 130, "dissipated_energy", 0, "1e-4", "n
 expect("memo_hill", "rotating_pair", 130, "fz", -force, ROUNDING, "projection does not see the twist")
 
 # ---------------------------------------------------------------------------------------------------------------------
-# Rough ballast (Table 1): F = k_n d^(3/2) of an indentation d (contactlaws/pohrt_popov.hpp, derived from Eqs 1-6).
+# Rough ballast (Table 1): F = k_n d^(3/2) of an indentation d (contactlaws/normal/pohrt_popov.hpp, derived from Eqs 1-6).
 fractal, roughness, ballast_radius, ballast_young = 2.13, 26.1e-6, 2.36e-3, 32e9
 beta = 0.2567 * fractal
 area = 0.75 * pi**1.5 * ballast_radius * roughness * (20 / (pi**1.5 * fractal)) ** (1 / beta)  # Eq. 5

@@ -7,7 +7,7 @@
 #include <string>
 #include <type_traits>
 
-#include "contactlaws/validate.hpp"
+#include "contactlaws/core/validate.hpp"
 #include "input_error.hpp"
 
 namespace contact_path {

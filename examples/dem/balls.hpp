@@ -6,22 +6,22 @@
 #include <vector>
 
 #include "contactlaws/kinematics.hpp"
-#include "contactlaws/material.hpp"
+#include "contactlaws/pair.hpp"
 #include "packs.hpp"
 
 namespace dem {
 
 /// A ball as it enters a scene.
 struct Ball {
-  contactlaws::Side<double> side;  ///< radius, mass and elasticity: contactlaws::sphere(material, radius)
-  Vec3 position;                   ///< [m]
-  Vec3 velocity = Vec3::Zero();    ///< [m/s]
-  Vec3 spin = Vec3::Zero();        ///< [rad/s]
+  contactlaws::ContactBody<double> side;  ///< radius, mass and elasticity: contactlaws::sphere(material, radius)
+  Vec3 position;                          ///< [m]
+  Vec3 velocity = Vec3::Zero();           ///< [m/s]
+  Vec3 spin = Vec3::Zero();               ///< [rad/s]
   bool free = true;  ///< false: moves as it is told, whatever the forces. Its mass counts in m* all the same.
 };
 
 /// A ball of this side against its like.
-inline contactlaws::PairProperties<double> twins(const contactlaws::Side<double>& side) {
+inline contactlaws::PairProperties<double> twins(const contactlaws::ContactBody<double>& side) {
   return {side.radius / 2.0,
           0.5 / side.normal_compliance,
           0.5 / side.shear_compliance,
@@ -31,16 +31,16 @@ inline contactlaws::PairProperties<double> twins(const contactlaws::Side<double>
 }
 
 struct Balls {
-  std::vector<Row> position;                    ///< [m], at the time of the scene; and the radius
-  std::vector<Row> velocity;                    ///< [m/s], half a step earlier
-  std::vector<Row> spin;                        ///< [rad/s], half a step earlier
-  std::vector<Row> force;                       ///< of all contacts [N]
-  std::vector<Row> moment;                      ///< of all contacts, about the centre [N m]
-  std::vector<double> radius;                   ///< [m]
-  std::vector<double> mass;                     ///< [kg]
-  std::vector<double> inertia;                  ///< 2/5 m R^2 [kg m^2]
-  std::vector<contactlaws::Side<double>> side;  ///< what pair_properties() asks for
-  std::vector<char> free;                       ///< whether forces move it
+  std::vector<Row> position;                           ///< [m], at the time of the scene; and the radius
+  std::vector<Row> velocity;                           ///< [m/s], half a step earlier
+  std::vector<Row> spin;                               ///< [rad/s], half a step earlier
+  std::vector<Row> force;                              ///< of all contacts [N]
+  std::vector<Row> moment;                             ///< of all contacts, about the centre [N m]
+  std::vector<double> radius;                          ///< [m]
+  std::vector<double> mass;                            ///< [kg]
+  std::vector<double> inertia;                         ///< 2/5 m R^2 [kg m^2]
+  std::vector<contactlaws::ContactBody<double>> side;  ///< what pair_properties() asks for
+  std::vector<char> free;                              ///< whether forces move it
 
   std::size_t size() const { return position.size(); }
 

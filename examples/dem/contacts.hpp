@@ -171,11 +171,11 @@ class Contacts {
   void add(const Pair& ids, const contactlaws::PairProperties<double>& p) {
     ++size_;
     bodies.push_back(ids);
-    pair_.radius.push_back(p.radius);
-    pair_.young.push_back(p.young);
-    pair_.shear.push_back(p.shear);
-    pair_.mass.push_back(p.mass);
-    pair_.smaller_radius.push_back(p.smaller_radius);
+    pair_.effective_radius.push_back(p.effective_radius);
+    pair_.effective_young.push_back(p.effective_young);
+    pair_.effective_shear.push_back(p.effective_shear);
+    pair_.effective_mass.push_back(p.effective_mass);
+    pair_.min_radius.push_back(p.min_radius);
     pair_.length.push_back(p.length);
   }
 
@@ -183,8 +183,8 @@ class Contacts {
     if (size_ == 0) return;
     const std::size_t length = (size_ + lanes<PackT> - 1) / lanes<PackT> * lanes<PackT>;
     bodies.resize(length, bodies.back());
-    for (Column* column :
-         {&pair_.radius, &pair_.young, &pair_.shear, &pair_.mass, &pair_.smaller_radius, &pair_.length}) {
+    for (Column* column : {&pair_.effective_radius, &pair_.effective_young, &pair_.effective_shear,
+                           &pair_.effective_mass, &pair_.min_radius, &pair_.length}) {
       const bool alike = std::equal(column->begin() + 1, column->end(), column->begin());
       column->resize(alike ? 1 : length, column->back());
     }
@@ -198,16 +198,16 @@ class Contacts {
     const auto column = [](const Column& c) {
       return c.size() == 1 ? contactlaws::Column<double>(c[0]) : contactlaws::Column<double>(c.data());
     };
-    return {column(pair_.radius), column(pair_.young),          column(pair_.shear),
-            column(pair_.mass),   column(pair_.smaller_radius), column(pair_.length)};
+    return {column(pair_.effective_radius), column(pair_.effective_young), column(pair_.effective_shear),
+            column(pair_.effective_mass),   column(pair_.min_radius),      column(pair_.length)};
   }
   template <class T>
   CONTACTLAWS_HD static contactlaws::PairProperties<T> pair_at(const Pairs& pairs, std::size_t contact) {
     const auto at = [contact](const contactlaws::Column<double>& column) {
       return column.array() ? contactlaws::ScalarTraits<T>::load(column.array() + contact) : T(column.same());
     };
-    return {at(pairs.radius), at(pairs.young),          at(pairs.shear),
-            at(pairs.mass),   at(pairs.smaller_radius), at(pairs.length)};
+    return {at(pairs.effective_radius), at(pairs.effective_young), at(pairs.effective_shear),
+            at(pairs.effective_mass),   at(pairs.min_radius),      at(pairs.length)};
   }
 
   template <class T>

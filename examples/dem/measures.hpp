@@ -58,7 +58,7 @@ double unbalanced_ratio(const Scene& scene) {
   std::vector<double> load(balls.size());
   detail::for_each_contact(
       scene, [&load](const auto&, const auto& contacts, std::size_t c, const auto& look, bool first_is_ball) {
-        const double pressed_and_pulled = std::abs(look.response.surface) + look.response.attraction;
+        const double pressed_and_pulled = std::abs(look.response.normal_force) + look.response.bridge_force;
         if (first_is_ball) load[contacts.first(c)] += pressed_and_pulled;
         load[contacts.second(c)] += pressed_and_pulled;
       });

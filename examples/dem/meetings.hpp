@@ -25,7 +25,7 @@ struct BallsMeet {
     const Rows<T> place1 = gather<T>(balls.position, one), place2 = gather<T>(balls.position, two);
     const contactlaws::BodyMotion<T> motion1 = motion(place1, one), motion2 = motion(place2, two);
     const T &radius1 = place1.more, &radius2 = place2.more;
-    const auto geometry = contactlaws::meet_spheres<T>(motion1.position, radius1, motion2.position, radius2);
+    const auto geometry = contactlaws::sphere_sphere<T>(motion1.position, radius1, motion2.position, radius2);
     const auto before = contactlaws::contact_kinematics<T>(geometry, motion1, motion2, T(dt));
     return {geometry, contactlaws::at_full_step<T>(before, contactlaws::Vec3<T>(motion2.velocity - motion1.velocity),
                                                    radius1 + radius2 - geometry.overlap)};
@@ -51,7 +51,7 @@ struct WallMeetsBall {
     const Wall& w = walls[wall[0]];
     const std::size_t b = ball[0];
     const contactlaws::BodyMotion<double> motion{balls.position[b], balls.velocity[b], balls.spin[b]};
-    const auto geometry = contactlaws::meet_plane<double>(w.point, w.facing, motion.position, balls.radius[b]);
+    const auto geometry = contactlaws::plane_sphere<double>(w.point, w.facing, motion.position, balls.radius[b]);
     return {geometry, contactlaws::contact_kinematics(geometry, w.motion(), motion, dt)};
   }
 

@@ -11,7 +11,7 @@
 
 #include "contactlaws/batch.hpp"
 #if __has_include(<xsimd/xsimd.hpp>)
-#include "contactlaws/adapt/xsimd.hpp"
+#include "contactlaws/scalars/xsimd.hpp"
 #endif
 
 namespace dem {

@@ -24,7 +24,7 @@ class Recording {
     Going now = known != before_.end() ? known->second : Going{next_number_++, 0.0, Vec3::Zero(), 0.0};
     now.time += motion.dt;
     now.way += motion.velocity * motion.dt;
-    now.turn += motion.spin * motion.dt;
+    now.turn += motion.normal_spin * motion.dt;
     if ((steps_ + 1) % every_ == 0 && now.time > 0.0) {
       const Vec3 velocity = now.way / now.time;
       const Vec3& n = motion.normal;

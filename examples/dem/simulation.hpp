@@ -135,7 +135,7 @@ class Simulation {
   /// A line for two bodies that overlap by more than a tenth of the smaller radius.
   template <class Contacts>
   void warn_of_overlap(const Contacts& contacts, const char* first_kind, std::size_t c, double overlap) const {
-    const double allowed = contacts.template pair_at<double>(c).smaller_radius / 10.0;
+    const double allowed = contacts.template pair_at<double>(c).min_radius / 10.0;
     if (overlap > allowed)
       *log << "warning: " << first_kind << ' ' << contacts.first(c) << " and ball " << contacts.second(c)
            << " start with an overlap of " << overlap << " m, more than a tenth of the smaller radius (" << allowed

@@ -12,11 +12,11 @@ namespace dem {
 
 /// A plane through `point`. Balls belong on the side that `facing` points to.
 struct Wall {
-  contactlaws::Side<double> side;  ///< elasticity: contactlaws::plane(material), perhaps .rigid()
-  Vec3 point;                      ///< [m]
-  Vec3 facing;                     ///< unit vector
-  Vec3 velocity = Vec3::Zero();    ///< [m/s]
-  Vec3 force = Vec3::Zero();       ///< of all contacts on the wall [N]
+  contactlaws::ContactBody<double> side;  ///< elasticity: contactlaws::plane(material), perhaps .rigid()
+  Vec3 point;                             ///< [m]
+  Vec3 facing;                            ///< unit vector
+  Vec3 velocity = Vec3::Zero();           ///< [m/s]
+  Vec3 force = Vec3::Zero();              ///< of all contacts on the wall [N]
 
   contactlaws::BodyMotion<double> motion() const { return {point, velocity, Vec3::Zero()}; }
 };
@@ -30,7 +30,8 @@ inline void check(const Wall& wall) {
 
 /// The six walls of a box, facing inwards: x low, x high, y low, y high, z low (the bottom), z high.
 /// @throws std::invalid_argument unless each edge from `low` to `high` is positive [m]
-inline std::array<Wall, 6> box_of_walls(const contactlaws::Side<double>& side, const Vec3& low, const Vec3& high) {
+inline std::array<Wall, 6> box_of_walls(const contactlaws::ContactBody<double>& side, const Vec3& low,
+                                        const Vec3& high) {
   std::array<Wall, 6> walls;
   for (int axis = 0; axis < 3; ++axis) {
     contactlaws::require_in(contactlaws::Range::positive(), high[axis] - low[axis], "box_of_walls", "edge", "m");

@@ -29,7 +29,7 @@ dem::Table press_deep(const Law& law) {
   dem::Table curve{"overlap_m", "force_N"};
   for (int i = 0; i < 120000 && !dem::stop_requested(); ++i) {
     scene.step();
-    curve.add({scene.wall_contact(0).geometry.overlap, scene.wall_contact(0).response.surface});
+    curve.add({scene.wall_contact(0).geometry.overlap, scene.wall_contact(0).response.normal_force});
   }
   return curve;
 }

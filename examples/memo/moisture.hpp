@@ -58,8 +58,8 @@ class MoistureProblem {
     double surface = 0.0, attraction = 0.0;
     if (listed) {
       const auto response = grains_.scene.ball_contact(0).response;
-      surface = response.surface;
-      attraction = response.attraction;
+      surface = response.normal_force;
+      attraction = response.bridge_force;
     }
     path_.add({double(figure), grains_.scene.time, gap(), surface, attraction, double(wet()), double(released)});
   }

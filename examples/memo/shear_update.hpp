@@ -14,7 +14,7 @@ namespace memo {
 template <template <class, class, class> class Shear>
 using HertzWith =
     contactlaws::ContactLaw<contactlaws::Hertz<double>, contactlaws::NoDashpots<double>,
-                            Shear<double, contactlaws::Mindlin<double>, contactlaws::carry::ProjectRestore<double>>>;
+                            Shear<double, contactlaws::Mindlin<double>, contactlaws::rotation::ProjectRestore<double>>>;
 
 template <class Law>
 Law with_friction(double mu) {

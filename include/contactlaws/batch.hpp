@@ -47,7 +47,7 @@ struct ContactBatch {
   Column<T> overlap;                              ///< [m]
   std::array<Column<T>, 3> velocity;              ///< [m/s]
   Column<T> dt;                                   ///< [s]
-  Column<T> spin;                                 ///< [rad/s]
+  Column<T> normal_spin;                          ///< [rad/s]
   std::array<const T*, Law::state_size> state{};  ///< before the step, in the order of Law::state_values()
   std::array<T*, Law::state_size> next{};         ///< after it; may be the same arrays
   std::array<T*, 3> force{};                      ///< on body 2 [N]
@@ -65,11 +65,9 @@ CONTACTLAWS_HD void evaluate_pack(const LawOf& law_of, const ContactBatch<Law>& 
     return c.array() != nullptr ? load(c.array()) : Pack(c.same());
   };
   const auto vector = [&column](const auto& c) { return Vec3<Pack>(column(c[0]), column(c[1]), column(c[2])); };
-  const auto& p = batch.pair;
-  const PairProperties<Pack> pair{column(p.radius), column(p.young),          column(p.shear),
-                                  column(p.mass),   column(p.smaller_radius), column(p.length)};
+  const PairProperties<Pack> pair = batch.pair.template map<Pack>(column);
   const ContactKinematics<Pack> kinematics{vector(batch.normal), column(batch.overlap), vector(batch.velocity),
-                                           column(batch.dt), column(batch.spin)};
+                                           column(batch.dt), column(batch.normal_spin)};
   std::array<Pack, Law::state_size> state{};
   for (std::size_t i = 0; i < Law::state_size; ++i) state[i] = load(batch.state[i]);
   const auto step = law_of(column).step(pair, kinematics, PackLaw::load(state.data()));

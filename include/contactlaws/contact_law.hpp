@@ -14,25 +14,25 @@
 #include <tuple>
 #include <type_traits>
 
-#include "contactlaws/dashpots.hpp"
+#include "contactlaws/bridge/suction_bridge.hpp"
+#include "contactlaws/damping/dashpots.hpp"
 #include "contactlaws/kinematics.hpp"
-#include "contactlaws/liquid_bridge.hpp"
-#include "contactlaws/material.hpp"
-#include "contactlaws/shear.hpp"
-#include "contactlaws/slots.hpp"
+#include "contactlaws/pair.hpp"
+#include "contactlaws/slot.hpp"
+#include "contactlaws/tangential/incremental_shear.hpp"
 
 namespace contactlaws {
 
 /// What a step yields.
 template <class T, class State>
 struct Step {
-  Vec3<T> force;    ///< on body 2, at the contact point; body 1 gets the opposite [N]
-  State state;      ///< the contact's history after the step
-  T elastic;        ///< normal spring's part, compression > 0 [N]
-  T surface;        ///< normal spring and dashpot, F_n [N]
-  T attraction;     ///< the bridge's pull, F_m [N]
-  Mask<T> active;   ///< touching, or bridged
-  Mask<T> sliding;  ///< friction limited the shear force
+  Vec3<T> force;     ///< on body 2, at the contact point; body 1 gets the opposite [N]
+  State state;       ///< the contact's history after the step
+  T normal_elastic;  ///< normal spring's part, compression > 0 [N]
+  T normal_force;    ///< normal spring and dashpot, F_n [N]
+  T bridge_force;    ///< the bridge's pull, F_m [N]
+  Mask<T> active;    ///< touching, or bridged
+  Mask<T> sliding;   ///< friction limited the shear force
 };
 
 /// Translational stiffnesses of a contact, for the estimate of a stable time step [N/m].
@@ -58,7 +58,7 @@ struct ContactLaw {
 
   /// Name, unit and sign under exchange of the two bodies, of each value of State in its order.
   static constexpr auto state_values() {
-    return joined(joined(Normal::state_values(), Shear::state_values()), Bridge::state_values());
+    return concatenate(concatenate(Normal::state_values(), Shear::state_values()), Bridge::state_values());
   }
   static constexpr std::size_t state_size =
       Normal::state_values().size() + Shear::state_values().size() + Bridge::state_values().size();
@@ -84,14 +84,14 @@ struct ContactLaw {
                           kinematics.overlap >= T(0), Mask<T>(false)};
     const Mask<T> touching = kinematics.overlap > T(0);
     if (any<T>(touching)) {
-      touch(pair, kinematics, result);
-      if constexpr (!std::is_same_v<Mask<T>, bool>) let_go_of_lanes(!touching, result);
+      close_contact(pair, kinematics, result);
+      if constexpr (!std::is_same_v<Mask<T>, bool>) mask_open_lanes(!touching, result);
     } else {
-      let_go(pair, result.state);
+      open_contact(pair, result.state);
     }
-    if constexpr (Bridge::attracts) {
+    if constexpr (Bridge::acts) {
       const BridgeResponse<T> pull = bridge.respond(result.state, pair, kinematics.overlap);
-      result.attraction = pull.force;
+      result.bridge_force = pull.force;
       result.active = result.active || pull.intact;
       result.force = result.force - kinematics.normal * pull.force;
     }
@@ -105,11 +105,11 @@ struct ContactLaw {
   CONTACTLAWS_HD ContactStiffness<T> stiffness(const PairProperties<T>& pair, const T& overlap,
                                                const State& state) const noexcept {
     State scratch = state;
-    const T counted = select<T>(overlap > T(0), overlap, T(pair.smaller_radius * T(2) / T(10000)));
+    const T counted = select<T>(overlap > T(0), overlap, T(pair.min_radius * T(2) / T(10000)));
     auto response = normal.respond(scratch, pair, counted);
-    response.stiffness = response.stiffest;
-    const T factor = damping.stiffening();
-    if constexpr (Shear::resists) {
+    response.stiffness = response.max_tangent;
+    const T factor = damping.stiffness_factor();
+    if constexpr (Shear::acts) {
       return {response.stiffness * factor, T(shear.stiffness(pair, response) * factor)};
     } else {
       return {response.stiffness * factor, T(0)};
@@ -120,21 +120,21 @@ struct ContactLaw {
   CONTACTLAWS_HD T stored_energy(const PairProperties<T>& pair, const T& overlap, const State& state) const noexcept {
     const T closed = positive_part<T>(overlap);
     T total = normal.energy(state, pair, closed);
-    if constexpr (Shear::resists) {
+    if constexpr (Shear::acts) {
       State scratch = state;
       total = total + shear.energy(state, shear.stiffness(pair, normal.respond(scratch, pair, closed)));
     }
-    if constexpr (Bridge::attracts) total = total + bridge.energy(state, pair, overlap);
+    if constexpr (Bridge::acts) total = total + bridge.energy(state, pair, overlap);
     return total;
   }
 
   /// Wets the contact where its gap is at most `moisture_gap` [m]; dries it. Forces follow with the next step.
   CONTACTLAWS_HD static void make_wet(State& state, const T& overlap, const T& moisture_gap) noexcept {
-    static_assert(Bridge::attracts, "make_wet needs a law with a bridge");
+    static_assert(Bridge::acts, "make_wet needs a law with a bridge");
     Bridge::make_wet(state, overlap, moisture_gap);
   }
   CONTACTLAWS_HD static void make_dry(State& state) noexcept {
-    static_assert(Bridge::attracts, "make_dry needs a law with a bridge");
+    static_assert(Bridge::acts, "make_dry needs a law with a bridge");
     Bridge::make_dry(state);
   }
 
@@ -158,38 +158,38 @@ struct ContactLaw {
   }
 
  private:
-  CONTACTLAWS_HD void touch(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
-                            Step<T, State>& result) const noexcept {
+  CONTACTLAWS_HD void close_contact(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
+                                    Step<T, State>& result) const noexcept {
     const auto response = normal.respond(result.state, pair, positive_part<T>(kinematics.overlap));
     T shear_stiffness = T(0);
-    if constexpr (Shear::resists) shear_stiffness = shear.stiffness(pair, response);
-    const DampingCoefficients<T> dashpot = damping.coefficients(pair.mass, response.secant, shear_stiffness);
+    if constexpr (Shear::acts) shear_stiffness = shear.stiffness(pair, response);
+    const DampingCoefficients<T> dashpot = damping.coefficients(pair.effective_mass, response.secant, shear_stiffness);
 
     const T separating = dot<T>(kinematics.velocity, kinematics.normal);
-    result.elastic = response.force;
-    result.surface = damping.normal_force(response.force, dashpot.normal, separating);
-    result.force = kinematics.normal * result.surface;
-    if constexpr (Shear::resists) {
+    result.normal_elastic = response.force;
+    result.normal_force = damping.normal_force(response.force, dashpot.normal, separating);
+    result.force = kinematics.normal * result.normal_force;
+    if constexpr (Shear::acts) {
       const ShearInput<T> input{kinematics, Vec3<T>(kinematics.velocity - kinematics.normal * separating),
-                                shear_stiffness, dashpot.shear, positive_part<T>(result.surface)};
-      const ShearResponse<T> sheared = shear.template respond<Damping::dissipates>(result.state, input);
+                                shear_stiffness, dashpot.shear, positive_part<T>(result.normal_force)};
+      const ShearResponse<T> sheared = shear.template respond<Damping::acts>(result.state, input);
       result.force = result.force + sheared.force;
       result.sliding = sheared.sliding;
     }
   }
 
   /// What an open contact keeps: the normal law says, shear forgets.
-  CONTACTLAWS_HD void let_go(const PairProperties<T>& pair, State& state) const noexcept {
+  CONTACTLAWS_HD void open_contact(const PairProperties<T>& pair, State& state) const noexcept {
     normal.respond(state, pair, T(0));
     static_cast<typename Shear::State&>(state) = typename Shear::State{};
   }
 
   /// The same for the open lanes of a pack in which others touch; the normal law has seen them.
-  CONTACTLAWS_HD static void let_go_of_lanes(const Mask<T>& open, Step<T, State>& result) noexcept {
+  CONTACTLAWS_HD static void mask_open_lanes(const Mask<T>& open, Step<T, State>& result) noexcept {
     if (!any<T>(open)) return;
     result.sliding = result.sliding && !open;
     result.force = result.force * select<T>(open, T(0), T(1));
-    if constexpr (Shear::resists) {
+    if constexpr (Shear::acts) {
       typename Shear::State& shear_state = result.state;
       T values[Shear::state_values().size()];
       std::memcpy(values, &shear_state, sizeof(values));

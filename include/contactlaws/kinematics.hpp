@@ -14,25 +14,25 @@
 // SI units: m, kg, s, N, Pa. (Potyondy 2019, Eqs 3-6.)
 #pragma once
 
-#include "contactlaws/scalar.hpp"
+#include "contactlaws/core/scalar.hpp"
 
 namespace contactlaws {
 
 /// What a law is told of the motion at each step.
 template <class T>
 struct ContactKinematics {
-  Vec3<T> normal;    ///< unit normal from body 1 to body 2
-  T overlap;         ///< [m], negative across a gap
-  Vec3<T> velocity;  ///< of body 2 relative to body 1 at the contact point [m/s]
-  T dt;              ///< time since the last step [s]
-  T spin = T(0);     ///< mean of the two bodies' spins about the normal [rad/s]; read by carry::Rotate alone
+  Vec3<T> normal;        ///< unit normal from body 1 to body 2
+  T overlap;             ///< [m], negative across a gap
+  Vec3<T> velocity;      ///< of body 2 relative to body 1 at the contact point [m/s]
+  T dt;                  ///< time since the last step [s]
+  T normal_spin = T(0);  ///< mean of the two bodies' spins about the normal [rad/s]; read by rotation::Rotate alone
 
   template <class U>
   CONTACTLAWS_HD ContactKinematics<U> cast() const {
     const auto vector = [](const Vec3<T>& v) {
       return Vec3<U>(scalar_cast<U>(v.x()), scalar_cast<U>(v.y()), scalar_cast<U>(v.z()));
     };
-    return {vector(normal), scalar_cast<U>(overlap), vector(velocity), scalar_cast<U>(dt), scalar_cast<U>(spin)};
+    return {vector(normal), scalar_cast<U>(overlap), vector(velocity), scalar_cast<U>(dt), scalar_cast<U>(normal_spin)};
   }
 };
 
@@ -55,8 +55,8 @@ struct ContactGeometry {
 
 /// Two spheres. The centres must differ.
 template <class T>
-CONTACTLAWS_HD ContactGeometry<T> meet_spheres(const Vec3<T>& x1, const T& radius1, const Vec3<T>& x2,
-                                               const T& radius2) noexcept {
+CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Vec3<T>& x1, const T& radius1, const Vec3<T>& x2,
+                                                const T& radius2) noexcept {
   const Vec3<T> branch = x2 - x1;
   const T distance = norm<T>(branch);
   const Vec3<T> normal = branch / distance;
@@ -67,8 +67,8 @@ CONTACTLAWS_HD ContactGeometry<T> meet_spheres(const Vec3<T>& x1, const T& radiu
 
 /// A plane (body 1: through `point`, facing along the unit vector `facing`; its arm runs from `point`) and a sphere.
 template <class T>
-CONTACTLAWS_HD ContactGeometry<T> meet_plane(const Vec3<T>& point, const Vec3<T>& facing, const Vec3<T>& x2,
-                                             const T& radius2) noexcept {
+CONTACTLAWS_HD ContactGeometry<T> plane_sphere(const Vec3<T>& point, const Vec3<T>& facing, const Vec3<T>& x2,
+                                               const T& radius2) noexcept {
   const Vec3<T> from_point = x2 - point;
   const T overlap = radius2 - dot<T>(from_point, facing);
   const Vec3<T> arm2 = facing * (overlap / T(2) - radius2);
@@ -97,7 +97,7 @@ CONTACTLAWS_HD ContactKinematics<T> at_full_step(const ContactKinematics<T>& mot
   const T half = motion.dt / (T(2) * distance);
   const Vec3<T> turn = (centres - n * dot<T>(n, centres)) * half;  // of the normal, in half a step
   const Vec3<T> velocity = v + turn * dot<T>(n, v) - n * dot<T>(turn, v);
-  return {n, motion.overlap, velocity, motion.dt, motion.spin};
+  return {n, motion.overlap, velocity, motion.dt, motion.normal_spin};
 }
 
 }  // namespace contactlaws

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "contactlaws/contact_law.hpp"
-#include "contactlaws/hertz.hpp"
-#include "contactlaws/linear.hpp"
-#include "contactlaws/pohrt_popov.hpp"
-#include "contactlaws/pohrt_popov_incremental.hpp"
-#include "contactlaws/validate.hpp"
+#include "contactlaws/core/validate.hpp"
+#include "contactlaws/normal/hertz.hpp"
+#include "contactlaws/normal/linear.hpp"
+#include "contactlaws/normal/pohrt_popov.hpp"
 
 namespace contactlaws {
 

@@ -35,8 +35,8 @@ T stable_time_step(const T& mass, const T& inertia, const BodyStiffness<T>& stif
   using std::sqrt;
   T step = untouched;
   for (int i = 0; i < 3; ++i) {
-    if (stiffness.translation[i] > T(0)) step = smaller<T>(step, T(sqrt(T(mass / stiffness.translation[i]))));
-    if (stiffness.rotation[i] > T(0)) step = smaller<T>(step, T(sqrt(T(inertia / stiffness.rotation[i]))));
+    if (stiffness.translation[i] > T(0)) step = minimum<T>(step, T(sqrt(T(mass / stiffness.translation[i]))));
+    if (stiffness.rotation[i] > T(0)) step = minimum<T>(step, T(sqrt(T(inertia / stiffness.rotation[i]))));
   }
   return step;
 }

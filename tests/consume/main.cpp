@@ -17,6 +17,6 @@ int main() {
   const auto step = law.step(pair, kinematics, Hill<double>::State{});
 
   const double elsewhere = force_in_other_unit(kinematics.overlap);
-  std::cout << "contactlaws " << version << ": " << step.elastic << " N, " << elsewhere << " N\n";
-  return step.elastic > 0.0 && step.elastic == elsewhere ? 0 : 1;
+  std::cout << "contactlaws " << version << ": " << step.normal_elastic << " N, " << elsewhere << " N\n";
+  return step.normal_elastic > 0.0 && step.normal_elastic == elsewhere ? 0 : 1;
 }

@@ -62,7 +62,12 @@ def seeded(fault, text):
 
 
 def header(root, fault):
-    return root / "include" / "contactlaws" / fault["file"]
+    of_the_core = root / "include" / "contactlaws" / fault["file"]
+    return of_the_core if of_the_core.is_file() else root / fault["file"]
+
+
+def source(root, test):
+    return next((root / "tests").glob(f"*/test_{test}.cpp"), None)
 
 
 def copy_of_project(place):
@@ -91,7 +96,7 @@ def verdict(common, copy, test):
     """Builds and runs a test of the copy: ("passes", ""), ("fails", the test case) or ("does not compile", why)."""
     program = copy / f"test_{test}"
     command = [COMPILER, *FLAGS, "-w", "-include", str(common / "common.hpp"), "-I", str(copy / "include"),
-               str(copy / "tests" / f"test_{test}.cpp"), str(common / "main.o"), "-o", str(program)]
+               str(source(copy, test)), "-I", str(copy / "tests"), "-I", str(copy), "-I", str(copy / "examples"), str(common / "main.o"), "-o", str(program)]
     built = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST)
     if built.returncode != 0:
         return "does not compile", next((line for line in built.stderr.split("\n") if "error" in line), "")
@@ -190,7 +195,7 @@ def check(faults):
             seeded(fault, header(ROOT, fault).read_text())
         except (OSError, ValueError) as complaint:
             yield f"{fault['name']}: {complaint}"
-        if not (ROOT / "tests" / f"test_{fault['test']}.cpp").is_file():
+        if source(ROOT, fault["test"]) is None:
             yield f"{fault['name']}: there is no test_{fault['test']}"
         if f"| {fault['name']} |" not in published:
             yield f"{fault['name']}: is not in {README.name}: run.py --publish"

@@ -39,7 +39,7 @@ Slot drawn(Slot slot, Bytes& bytes) {
   return checked(slot);
 }
 
-inline Side<double> drawn_side(Bytes& bytes, bool may_be_wall) {
+inline ContactBody<double> drawn_side(Bytes& bytes, bool may_be_wall) {
   const double poisson = bytes.one_in(8) ? 0.5 : 0.5 - 1.5 * bytes.fraction();
   const ElasticMaterial<double> material{bytes.magnitude(0, 60), poisson, bytes.magnitude(-10, 20)};
   const double radius = bytes.magnitude(-40, 20);
@@ -47,13 +47,13 @@ inline Side<double> drawn_side(Bytes& bytes, bool may_be_wall) {
   if (!may_be_wall) return sphere(material, radius);
   if (kind == 0) return plane(material);
   if (kind == 1) return plane(material).rigid();
-  if (kind == 2) return concave(material, radius);
+  if (kind == 2) return spherical_cup(material, radius);
   if (kind == 3) return sphere(material, radius).fixed();
   return sphere(material, radius);
 }
 
 inline PairProperties<double> drawn_pair(Bytes& bytes) {
-  const Side<double> ball = drawn_side(bytes, false);
+  const ContactBody<double> ball = drawn_side(bytes, false);
   try {
     return pair_properties(ball, drawn_side(bytes, true));
   } catch (const std::invalid_argument&) {  // a ball too large for its concave wall
@@ -66,7 +66,7 @@ class Mover {
  public:
   /// `wild`: any finite number may come, beyond what the law can answer with finite forces.
   Mover(const PairProperties<double>& pair, Bytes& bytes, bool wild)
-      : bytes_(bytes), wild_(wild), depth_(pair.radius * bytes.magnitude(-30, 0)), spins_(bytes.one_in(2)) {
+      : bytes_(bytes), wild_(wild), depth_(pair.effective_radius * bytes.magnitude(-30, 0)), spins_(bytes.one_in(2)) {
     motion_ = {direction(), 0.0, Vector::Zero(), bytes.magnitude(-60, 5), 0.0};
   }
 
@@ -76,7 +76,7 @@ class Mover {
     motion_.velocity = velocity();
     if (bytes_.one_in(16)) motion_.dt = bytes_.one_in(2) ? 0.0 : bytes_.magnitude(-60, 5);
     if (spins_ && bytes_.one_in(4)) twist_ = number(-200, 2);
-    motion_.spin = motion_.dt > 0.0 ? twist_ / motion_.dt : 0.0;
+    motion_.normal_spin = motion_.dt > 0.0 ? twist_ / motion_.dt : 0.0;
     return motion_;
   }
 

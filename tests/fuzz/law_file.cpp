@@ -1,7 +1,7 @@
 // LAW.toml of examples/contact_path, read and built: a law with its parameters in range, or a message.
-#include "../../examples/contact_path/build_law.hpp"
+#include "examples/contact_path/build_law.hpp"
 
-#include "../../examples/contact_path/law_file.hpp"
+#include "examples/contact_path/law_file.hpp"
 #include "input_file.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) { return 0; }

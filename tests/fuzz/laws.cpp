@@ -11,9 +11,9 @@
 #include <map>
 #include <vector>
 
-#include "../law_properties.hpp"
 #include "contact.hpp"
-#include "contactlaws/adapt/xsimd.hpp"
+#include "contactlaws/scalars/xsimd.hpp"
+#include "law_properties.hpp"
 
 namespace fuzz {
 
@@ -54,7 +54,8 @@ template <class Law>
 bool has_equal_packs(const Law& law, const Driven<Law>& path) {
   bool equal = !test::has_bridge<Law>;
   for (const auto& p : decltype(law.normal)::parameters()) equal = equal && std::string(p.name) != "transition_overlap";
-  return equal && std::all_of(path.motion.begin(), path.motion.end(), [](const Motion& m) { return m.spin == 0.0; });
+  return equal &&
+         std::all_of(path.motion.begin(), path.motion.end(), [](const Motion& m) { return m.normal_spin == 0.0; });
 }
 
 /// The first `count` steps once more as a batch, from arrays of exactly that length, so that reading beyond is seen.
@@ -69,13 +70,14 @@ void step_as_batch(const Law& law, const PairProperties<double>& pair, const Dri
   std::array<std::vector<double>, Law::state_size> state;
   const std::vector<double> overlap = column([&](std::size_t i) { return path.motion[i].overlap; });
   const std::vector<double> dt = column([&](std::size_t i) { return path.motion[i].dt; });
-  const std::vector<double> spin = column([&](std::size_t i) { return path.motion[i].spin; });
+  const std::vector<double> spin = column([&](std::size_t i) { return path.motion[i].normal_spin; });
   ContactBatch<Law> batch;
   batch.count = count;
-  batch.pair = {pair.radius, pair.young, pair.shear, pair.mass, pair.smaller_radius, pair.length};
+  batch.pair = {pair.effective_radius, pair.effective_young, pair.effective_shear,
+                pair.effective_mass,   pair.min_radius,      pair.length};
   batch.overlap = overlap.data();
   batch.dt = dt.data();
-  batch.spin = spin.data();
+  batch.normal_spin = spin.data();
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     normal[a] = column([&](std::size_t i) { return path.motion[i].normal[axis]; });
@@ -105,23 +107,24 @@ void expect_physics(const Law& law, const PairProperties<double>& pair, const Mo
                     const Step<double, typename Law::State>& step, const Values<Law>& next) {
   expect(finite(step.force), "a finite force");
   for (const double value : next) expect(std::isfinite(value), "a finite state");
-  expect(step.elastic >= 0.0 && std::isfinite(step.elastic), "springs push, finitely");
-  expect(step.attraction >= 0.0 && std::isfinite(step.attraction), "bridges pull, finitely");
+  expect(step.normal_elastic >= 0.0 && std::isfinite(step.normal_elastic), "springs push, finitely");
+  expect(step.bridge_force >= 0.0 && std::isfinite(step.bridge_force), "bridges pull, finitely");
   constexpr bool pulls = std::is_same_v<decltype(Law::damping), Dashpots<double, Tension::allowed>>;
-  expect(pulls || step.surface >= 0.0, "no tension unless allowed");
+  expect(pulls || step.normal_force >= 0.0, "no tension unless allowed");
   if (!(motion.overlap > 0.0)) {
-    expect(step.elastic == 0.0 && step.surface == 0.0 && !step.sliding, "an open contact does not push or slide");
-    expect(-motion.overlap < law.interaction_range(pair) || motion.overlap == 0.0 || step.attraction == 0.0,
+    expect(step.normal_elastic == 0.0 && step.normal_force == 0.0 && !step.sliding,
+           "an open contact does not push or slide");
+    expect(-motion.overlap < law.interaction_range(pair) || motion.overlap == 0.0 || step.bridge_force == 0.0,
            "nothing acts beyond the interaction range");
   }
 
   double strength = 0.0;
-  if constexpr (test::has_shear<Law>) strength = law.shear.friction * positive_part(step.surface);
+  if constexpr (test::has_shear<Law>) strength = law.shear.friction * positive_part(step.normal_force);
   if (strength > 0.0 && strength < smallest_strength) return;
   // 8 roundings of forces of this size, as in tests/scalar_properties.hpp, and of the smallest number.
   const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * test::force_scale(step) +
                           8.0 * std::numeric_limits<double>::denorm_min();
-  const Vector shear = step.force - motion.normal * (step.surface - step.attraction);
+  const Vector shear = step.force - motion.normal * (step.normal_force - step.bridge_force);
   expect(norm<double>(shear) <= strength + rounding, "friction bounds the shear force");
 }
 

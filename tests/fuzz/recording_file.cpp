@@ -1,5 +1,5 @@
 // RECORDING.csv of bench/trade: contacts that move, the longest first, or a message.
-#include "../../bench/trade/recording_file.hpp"
+#include "bench/trade/recording_file.hpp"
 #include "input_file.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) { return 0; }

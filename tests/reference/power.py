@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The polynomials of include/contactlaws/power.hpp: checks that they are as close as their header says, in 60 digits;
+"""The polynomials of include/contactlaws/core/power.hpp: checks that they are as close as their header says, in 60 digits;
 with --print, interpolates them anew at Chebyshev's points.
 
     P(z) = log2((1 + s)/(1 - s)) / s,  z = s^2 <= ((sqrt(2) - 1)/(sqrt(2) + 1))^2        Q(f) = 2^f,  |f| <= 1/2

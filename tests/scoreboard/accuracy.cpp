@@ -1,6 +1,6 @@
 // Item 1: the largest error of every kernel, in double and in float, against the same template at 200 bits.
 #include "contactlaws/contactlaws.hpp"
-#include "contactlaws/restitution.hpp"
+#include "contactlaws/damping/restitution.hpp"
 #include "contactlaws/timestep.hpp"
 #include "judge.hpp"
 
@@ -39,15 +39,15 @@ class Kernels {
     };
     const std::string inputs = "E1 nu1 rho1 R1 E2 nu2 rho2 R2";
     roots(
-        "pair.radius", inputs, [pair](const auto& x) { return pair(x).radius; }, draw);
+        "pair.effective_radius", inputs, [pair](const auto& x) { return pair(x).effective_radius; }, draw);
     roots(
-        "pair.young", inputs, [pair](const auto& x) { return pair(x).young; }, draw,
+        "pair.effective_young", inputs, [pair](const auto& x) { return pair(x).effective_young; }, draw,
         "a chain of 7 roundings, once per pair");
     roots(
-        "pair.shear", inputs, [pair](const auto& x) { return pair(x).shear; }, draw,
+        "pair.effective_shear", inputs, [pair](const auto& x) { return pair(x).effective_shear; }, draw,
         "a chain of 9 roundings, once per pair");
     roots(
-        "pair.mass", inputs, [pair](const auto& x) { return pair(x).mass; }, draw,
+        "pair.effective_mass", inputs, [pair](const auto& x) { return pair(x).effective_mass; }, draw,
         "a chain of 10 roundings (4/3 pi R R R rho, inverted, summed, inverted), once per pair");
   }
 
@@ -116,7 +116,7 @@ class Kernels {
         });
     roots(
         "dashpots.stiffening", "alpha",
-        [](const auto& x) { return Dashpots<std::decay_t<decltype(x[0])>>{x[0]}.stiffening(); },
+        [](const auto& x) { return Dashpots<std::decay_t<decltype(x[0])>>{x[0]}.stiffness_factor(); },
         [](Random& r) { return std::array<T, 1>{r.binary<T>(-20, 4)}; },
         "a square doubles the error of the root; enters only the estimate of a stable step");
     const auto draw = [](Random& r) {
@@ -124,7 +124,7 @@ class Kernels {
       const double e = way == 0   ? r.uniform(0.0, 1.0)
                        : way == 1 ? r.log_uniform(0.01, 1.0)
                                   : std::exp(-2.0) * (1.0 + r.uniform(-3e-3, 3e-3));  // about critical damping
-      return std::array<T, 1>{larger(static_cast<T>(e), T(0.01))};
+      return std::array<T, 1>{maximum(static_cast<T>(e), T(0.01))};
     };
     for (const Tension tension : {Tension::allowed, Tension::clipped}) {
       const std::string which = tension == Tension::allowed ? ", tension allowed" : ", tension clipped";
@@ -245,7 +245,7 @@ class Kernels {
         "kinematics.normal", "x1 y1 z1 x2 y2 z2",
         [vector](const auto& x) {
           using S = std::decay_t<decltype(x[0])>;
-          return meet_spheres<S>(vector(x, 0), S(1), vector(x, 3), S(1)).normal;
+          return sphere_sphere<S>(vector(x, 0), S(1), vector(x, 3), S(1)).normal;
         },
         [component](Random& r) {
           return std::array<T, 6>{component(r),        component(r),        component(r),
@@ -269,14 +269,18 @@ class Kernels {
     const std::string inputs = "nx ny nz n'x n'y n'z sx sy sz twist";
     roots(
         "carry.project", inputs,
-        [carried](const auto& x) { return carried(x, Carrier<carry::Project<std::decay_t<decltype(x[0])>>>{}); }, turn);
+        [carried](const auto& x) { return carried(x, Carrier<rotation::Project<std::decay_t<decltype(x[0])>>>{}); },
+        turn);
     roots(
         "carry.project and restore", inputs,
-        [carried](const auto& x) { return carried(x, Carrier<carry::ProjectRestore<std::decay_t<decltype(x[0])>>>{}); },
+        [carried](const auto& x) {
+          return carried(x, Carrier<rotation::ProjectRestore<std::decay_t<decltype(x[0])>>>{});
+        },
         turn, "near a right angle most of the shear lies along the new normal: |s|^2 less that part cancels");
     powers(
         "carry.rotate", inputs,
-        [carried](const auto& x) { return carried(x, Carrier<carry::Rotate<std::decay_t<decltype(x[0])>>>{}); }, turn);
+        [carried](const auto& x) { return carried(x, Carrier<rotation::Rotate<std::decay_t<decltype(x[0])>>>{}); },
+        turn);
   }
 
  private:

@@ -3,8 +3,8 @@
 // or cos are left out, so nothing spins and all is dry.
 #include <cstring>
 
-#include "contactlaws/adapt/xsimd.hpp"
 #include "contactlaws/batch.hpp"
+#include "contactlaws/scalars/xsimd.hpp"
 #include "laws_along_paths.hpp"
 
 using namespace contactlaws;
@@ -54,9 +54,10 @@ Path dry_path(Random& random) {
   const double radius2 = random.binary<double>(-20, 0);
   const ElasticMaterial<double> material{random.uniform(1e9, 1e11), random.uniform(0.0, 0.5), 2650.0};
   Path path{pair_properties(sphere(material, radius1), sphere(material, radius2)), {}, false};
-  const double deep = path.pair.radius * random.binary<double>(-14, -8);
+  const double deep = path.pair.effective_radius * random.binary<double>(-14, -8);
   const double slowness = random.uniform(0.01, 1.0);
-  const double dt = slowness * std::sqrt(path.pair.mass / (path.pair.young * std::sqrt(path.pair.radius * deep)));
+  const double dt = slowness * std::sqrt(path.pair.effective_mass /
+                                         (path.pair.effective_young * std::sqrt(path.pair.effective_radius * deep)));
   Vec3<double> normal = direction(random);
   for (std::size_t i = 0; i < length; ++i) {
     const double turn = random.uniform(0.0, 0.1);
@@ -81,7 +82,9 @@ std::vector<Path> dry_paths() {
 std::string hash_of_inputs(const std::vector<Path>& paths) {
   Hash hash;
   for (const Path& path : paths) {
-    for (const double x : {path.pair.radius, path.pair.young, path.pair.shear, path.pair.mass}) hash.add(x);
+    for (const double x :
+         {path.pair.effective_radius, path.pair.effective_young, path.pair.effective_shear, path.pair.effective_mass})
+      hash.add(x);
     for (const auto& k : path.steps) {
       for (int i = 0; i < 3; ++i) hash.add(k.normal[i]), hash.add(k.velocity[i]);
       hash.add(k.overlap), hash.add(k.dt);
@@ -138,9 +141,13 @@ class Contacts {
     for (std::size_t c = 0; c < contacts; ++c) {
       const PairProperties<T> p = paths_[c].pair.template cast<T>();
       const ContactKinematics<T> k = paths_[c].steps[step].template cast<T>();
-      const T values[] = {p.radius,       p.young,        p.shear,        p.mass,       p.smaller_radius,
-                          p.length,       k.normal.x(),   k.normal.y(),   k.normal.z(), k.overlap,
-                          k.velocity.x(), k.velocity.y(), k.velocity.z(), k.dt};
+      const T values[] = {p.effective_radius, p.effective_young,
+                          p.effective_shear,  p.effective_mass,
+                          p.min_radius,       p.length,
+                          k.normal.x(),       k.normal.y(),
+                          k.normal.z(),       k.overlap,
+                          k.velocity.x(),     k.velocity.y(),
+                          k.velocity.z(),     k.dt};
       for (std::size_t i = 0; i < force_at; ++i) columns_[i][c] = values[i];
     }
   }
@@ -203,5 +210,5 @@ int main() {
   print_batches("Hill in batches", hill<D>({0.4, 2e5, 0.07}));
   print_batches("DisplacementRescaled Rotate in batches",
                 compose(Hertz<D>{}, Dashpots<D, Tension::clipped>{0.6},
-                        ShearDisplacementRescaled<D, Mindlin<D>, carry::Rotate<D>>{{}, 0.5}, Dry<D>{}));
+                        ShearDisplacementRescaled<D, Mindlin<D>, rotation::Rotate<D>>{{}, 0.5}, Dry<D>{}));
 }

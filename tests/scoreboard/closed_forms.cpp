@@ -1,7 +1,7 @@
 // Item 4: the closed forms of verification.md, section 1. Of a law alone ("D") within 1e-12; with an integrator ("I") 1e-6.
-#include "../../examples/dem/simulation.hpp"
 #include "contactlaws/contactlaws.hpp"
-#include "contactlaws/restitution.hpp"
+#include "contactlaws/damping/restitution.hpp"
+#include "examples/dem/simulation.hpp"
 #include "impact.hpp"
 #include "row.hpp"
 
@@ -55,8 +55,9 @@ void h2_h3() {
       {"aluminium on a rigid plane at 0.2 m/s", pair_properties(plane(aluminium).rigid(), sphere(aluminium, 100e-3)),
        0.2, 49.71718e-6, 11.369858e3, 731.6566e-6}};
   for (const Case& c : cases) {
-    const double deepest =
-        std::pow(15 * c.pair.mass * c.speed * c.speed / (16 * c.pair.young * std::sqrt(c.pair.radius)), 0.4);
+    const double deepest = std::pow(15 * c.pair.effective_mass * c.speed * c.speed /
+                                        (16 * c.pair.effective_young * std::sqrt(c.pair.effective_radius)),
+                                    0.4);
     const Impact impact = integrate_impact(SmoothHertz<double>{}, c.pair, c.speed, 20000, factor * deepest / c.speed);
     integrated(std::string("H2 I: largest overlap and duration, ") + c.name,
                std::max(relative(impact.deepest, deepest), relative(impact.duration, factor * deepest / c.speed)));
@@ -74,7 +75,9 @@ void t1(const std::string& name) {
   std::string hertz_at, linear_at;
   for (const double e : {0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 0.98, 1.0}) {
     for (const double speed : {1e-6, 1e-3, 0.2, 5.0, 100.0}) {
-      const double deepest = std::pow(15 * pair.mass * speed * speed / (16 * pair.young * std::sqrt(pair.radius)), 0.4);
+      const double deepest = std::pow(
+          15 * pair.effective_mass * speed * speed / (16 * pair.effective_young * std::sqrt(pair.effective_radius)),
+          0.4);
       ContactLaw<Hertz<double>, Dashpots<double, tension>> hertz;
       hertz.damping.damping_constant = damping_constant(e, Spring::hertz, tension);
       ContactLaw<LinearSpring<double>, Dashpots<double, tension>> linear;
@@ -87,7 +90,7 @@ void t1(const std::string& name) {
       };
       see(of_hertz, hertz_at, integrate_impact(hertz, pair, speed, 20000, 3 * deepest / speed).restitution);
       see(of_linear, linear_at,
-          integrate_impact(linear, pair, speed, 20000, 3.2 * std::sqrt(pair.mass / 1e7)).restitution);
+          integrate_impact(linear, pair, speed, 20000, 3.2 * std::sqrt(pair.effective_mass / 1e7)).restitution);
     }
   }
   integrated("T1 I: restitution as asked, Hertz, " + name, of_hertz, hertz_at);
@@ -133,7 +136,8 @@ void s2() {
   const ElasticMaterial<double> material{1e9, 0.3, 2500.0};
   const double radius = 5e-3, friction = 0.3, gravity = 9.81, speed = 0.1;
   const auto pair = pair_properties(plane(material), sphere(material, radius));
-  const double sunk = std::pow(gravity * pair.mass / (4.0 / 3.0 * pair.young * std::sqrt(pair.radius)), 2.0 / 3.0);
+  const double sunk = std::pow(
+      gravity * pair.effective_mass / (4.0 / 3.0 * pair.effective_young * std::sqrt(pair.effective_radius)), 2.0 / 3.0);
   dem::Simulation<DryHill<double>> scene(dry_hill<double>({friction, 0.0, 0.1}));
   scene.add(dem::Wall{plane(material), Vector::Zero(), Vector::UnitZ()});
   scene.add(dem::Ball{sphere(material, radius), {0.0, 0.0, radius - sunk}, {speed, 0.0, 0.0}});
@@ -189,7 +193,8 @@ void e1() {
   const double slip = 1e-6;
   double worst = 0.0;
   for (const auto& [o1, o2] : {std::pair(1e-4, 0.5e-4), {0.5e-4, 1e-4}, {1e-5, 3e-7}}) {
-    const Long pair_stiffness = 8 * Long(granite_pair<double>().shear) * std::sqrt(Long(granite_pair<double>().radius));
+    const Long pair_stiffness =
+        8 * Long(granite_pair<double>().effective_shear) * std::sqrt(Long(granite_pair<double>().effective_radius));
     const Long k1 = pair_stiffness * std::sqrt(Long(o1)), k2 = pair_stiffness * std::sqrt(Long(o2));
     const Long expected = (k1 - k2) * slip * slip / 2;
     worst = std::max({worst, relative(extracted<ShearForce<double>>(o1, o2, slip), expected),
@@ -240,7 +245,7 @@ void b1() {
     return bridge.respond(wet, pair, -gap).force;
   };
   law_alone("B1 D: continuous at touch", relative(pull(1e-300), pull(0.0)));
-  const Long rupture = bridge.range(pair), decay = 0.7L * pair.smaller_radius, most = bridge.largest_force(pair);
+  const Long rupture = bridge.range(pair), decay = 0.7L * pair.min_radius, most = bridge.largest_force(pair);
   const int n = 20000;  // Simpson's rule: (rupture/decay)^4 / (180 n^4) = 1e-18
   Long work = 0;
   for (int i = 0; i <= 2 * n; ++i) {
@@ -265,7 +270,7 @@ void n1(std::int64_t count) {
     const double radius1 = random.log_uniform(1e-4, 1.0), radius2 = random.log_uniform(1e-4, 1.0);
     const Vector x1 = random.direction(), x2 = x1 + (radius1 + radius2) * random.uniform(0.9, 1.1) * random.direction(),
                  f = random.direction();
-    const auto geometry = meet_spheres<double>(x1, radius1, x2, radius2);
+    const auto geometry = sphere_sphere<double>(x1, radius1, x2, radius2);
     const Vector moment = (x2 + geometry.arm2 - x1 - geometry.arm1).cross(f);
     worst = std::max(worst, moment.norm() / (x1.norm() + x2.norm() + radius1 + radius2));
   }

@@ -28,17 +28,21 @@ struct Edges {
     };
     const double radius = random.log_uniform(1e-5, 1.0), other = radius * random.log_uniform(1e-4, 1e5);
     const double nine_decades = radius * (random.chance(0.5) ? 1e9 : 1.0);
-    const Side<double> one = sphere(material(), radius);
-    const Side<double> sides[] = {
-        sphere(material(), other),      sphere(material(), nine_decades),  plane(material()),
-        plane(material()).rigid(),      sphere(material(), other).fixed(), sphere(material(), other).rigid().fixed(),
-        concave(material(), 2 * radius)};
+    const ContactBody<double> one = sphere(material(), radius);
+    const ContactBody<double> sides[] = {sphere(material(), other),
+                                         sphere(material(), nine_decades),
+                                         plane(material()),
+                                         plane(material()).rigid(),
+                                         sphere(material(), other).fixed(),
+                                         sphere(material(), other).rigid().fixed(),
+                                         spherical_cup(material(), 2 * radius)};
     Path path{pair_properties(sides[random.engine() % 7], one), {}, random.chance(0.5)};
     const double dt = random.log_uniform(1e-12, 1.0);
     for (int i = 0; i < length; ++i) {
-      const double overlaps[] = {
-          denormal, 2 * denormal,     0.0,           -denormal,
-          1e-30,    path.pair.radius, -1e3 * radius, path.pair.radius * random.log_uniform(1e-15, 1.0)};
+      const double overlaps[] = {denormal,      2 * denormal,
+                                 0.0,           -denormal,
+                                 1e-30,         path.pair.effective_radius,
+                                 -1e3 * radius, path.pair.effective_radius * random.log_uniform(1e-15, 1.0)};
       const Vec3<double> axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
       const Vec3<double> normal = random.chance(0.3) ? axes[random.engine() % 3] : random.direction();
       const Vec3<double> way = random.chance(0.2) ? normal : random.direction();
@@ -52,7 +56,7 @@ struct Edges {
   void tune(Law& law, Random& random) const {
     using T = typename Law::Scalar;
     if constexpr (has_shear<Law>) law.shear.friction = T(random.chance(0.3) ? 0.0 : random.chance(0.5) ? 1e9 : 0.5);
-    if constexpr (decltype(law.damping)::dissipates) law.damping.damping_constant = T(random.chance(0.5) ? 0.0 : 1.0);
+    if constexpr (decltype(law.damping)::acts) law.damping.damping_constant = T(random.chance(0.5) ? 0.0 : 1.0);
     if constexpr (has_bridge<Law>) law.bridge.suction = T(random.chance(0.5) ? 0.0 : 1e9);
   }
 };

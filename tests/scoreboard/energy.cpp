@@ -5,10 +5,10 @@
 // is exact: a loop that sticks books the shear energy alone. The loop found in double is then booked at 200 bits, where a
 // gain by rounding is gone.
 #include "contactlaws/energy.hpp"
-#include "../oracle.hpp"
-#include "../random.hpp"
-#include "contactlaws/adapt/multiprecision.hpp"
 #include "contactlaws/laws.hpp"
+#include "contactlaws/scalars/multiprecision.hpp"
+#include "oracle.hpp"
+#include "random.hpp"
 #include "row.hpp"
 
 using namespace contactlaws;

@@ -24,7 +24,7 @@ bool is_finite(float x) {
 
 template <class Law, class State>
 bool is_finite(const Step<typename Law::Scalar, State>& step) {
-  bool all = is_finite(step.elastic) && is_finite(step.surface) && is_finite(step.attraction);
+  bool all = is_finite(step.normal_elastic) && is_finite(step.normal_force) && is_finite(step.bridge_force);
   for (int i = 0; i < 3; ++i) all = all && is_finite(step.force[i]);
   for (const auto& value : stored<Law>(step.state)) all = all && is_finite(value);
   return all;
@@ -32,9 +32,9 @@ bool is_finite(const Step<typename Law::Scalar, State>& step) {
 
 template <class T>
 std::string text_of(const PairProperties<T>& p, const ContactKinematics<T>& k) {
-  return contactlaws::test::text_of("R* = ", p.radius, ", E* = ", p.young, ", m* = ", p.mass, ", o = ", k.overlap,
-                                    ", v = (", k.velocity.transpose(), "), dt = ", k.dt, ", n = (",
-                                    k.normal.transpose(), ")");
+  return contactlaws::test::text_of("R* = ", p.effective_radius, ", E* = ", p.effective_young,
+                                    ", m* = ", p.effective_mass, ", o = ", k.overlap, ", v = (", k.velocity.transpose(),
+                                    "), dt = ", k.dt, ", n = (", k.normal.transpose(), ")");
 }
 
 template <class T, class Draw>
@@ -87,17 +87,17 @@ void not_finite(double value, const char* value_name) {
       ++silent;
       if (law_name == std::string("Hill")) where += (where.empty() ? "Hill: " : ", ") + std::string(input);
     };
-    ask("R*", [value](auto& p, auto&, auto&) { p.radius = value; });
-    ask("E*", [value](auto& p, auto&, auto&) { p.young = value; });
-    ask("G*", [value](auto& p, auto&, auto&) { p.shear = value; });
-    ask("m*", [value](auto& p, auto&, auto&) { p.mass = value; });
-    ask("R_o", [value](auto& p, auto&, auto&) { p.smaller_radius = value; });
+    ask("R*", [value](auto& p, auto&, auto&) { p.effective_radius = value; });
+    ask("E*", [value](auto& p, auto&, auto&) { p.effective_young = value; });
+    ask("G*", [value](auto& p, auto&, auto&) { p.effective_shear = value; });
+    ask("m*", [value](auto& p, auto&, auto&) { p.effective_mass = value; });
+    ask("R_o", [value](auto& p, auto&, auto&) { p.min_radius = value; });
     ask("L", [value](auto& p, auto&, auto&) { p.length = value; });
     ask("normal", [value](auto&, auto& k, auto&) { k.normal.x() = value; });
     ask("overlap", [value](auto&, auto& k, auto&) { k.overlap = value; });
     ask("velocity", [value](auto&, auto& k, auto&) { k.velocity.y() = value; });
     ask("dt", [value](auto&, auto& k, auto&) { k.dt = value; });
-    ask("spin", [value](auto&, auto& k, auto&) { k.spin = value; });
+    ask("spin", [value](auto&, auto& k, auto&) { k.normal_spin = value; });
     for (std::size_t i = 0; i + 1 <= Law::state_size; ++i)
       ask(Law::state_values()[i].name, [value, i](auto&, auto&, auto& state) { values_of<Law>(state)[i] = value; });
   });

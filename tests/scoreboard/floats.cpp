@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "contactlaws/contactlaws.hpp"
-#include "contactlaws/restitution.hpp"
+#include "contactlaws/damping/restitution.hpp"
 #include "judge.hpp"
 
 using namespace contactlaws;

@@ -17,7 +17,8 @@ nlohmann::ordered_json forces(const Law& law, const Path& path) {
   for (const auto& kinematics : path.steps) {
     const auto step = law.step(path.pair, kinematics, state);
     state = step.state;
-    all.push_back({step.force.x(), step.force.y(), step.force.z(), step.elastic, step.surface, step.attraction});
+    all.push_back(
+        {step.force.x(), step.force.y(), step.force.z(), step.normal_elastic, step.normal_force, step.bridge_force});
   }
   return all;
 }

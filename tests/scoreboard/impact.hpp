@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../random.hpp"
 #include "contactlaws/contact_law.hpp"
+#include "random.hpp"
 
 namespace contactlaws::test {
 
@@ -24,9 +24,9 @@ Impact integrate_impact(const Law& law, const PairProperties<double>& pair, doub
     double overlap, separating;
   };
   const auto force_at = [&](const Motion& m) {
-    return law.step(pair, {{0, 0, 1}, m.overlap, {0, 0, m.separating}, 1.0}, {}).surface;
+    return law.step(pair, {{0, 0, 1}, m.overlap, {0, 0, m.separating}, 1.0}, {}).normal_force;
   };
-  const auto rate = [&](const Motion& m) { return Motion{-m.separating, force_at(m) / pair.mass}; };
+  const auto rate = [&](const Motion& m) { return Motion{-m.separating, force_at(m) / pair.effective_mass}; };
   const auto ahead = [](const Motion& m, const Motion& r, double dt) {
     return Motion{m.overlap + dt * r.overlap, m.separating + dt * r.separating};
   };
@@ -60,8 +60,8 @@ Impact leap_through_impact(const Law& law, const PairProperties<double>& pair, d
   for (int i = 0; i < 10000000 && overlap > 0.0; ++i) {
     const auto step = law.step(pair, {{0, 0, 1}, overlap, {0, 0, separating}, dt}, state);
     state = step.state;
-    force = step.surface;
-    separating += force / pair.mass * dt;
+    force = step.normal_force;
+    separating += force / pair.effective_mass * dt;
     last = overlap;
     overlap -= separating * dt;
     impact.deepest = std::max(impact.deepest, overlap);
@@ -69,7 +69,7 @@ Impact leap_through_impact(const Law& law, const PairProperties<double>& pair, d
     impact.duration += dt;
   }
   // The last force acted for a whole step, from half a step before its overlap; contact ended at overlap/velocity after.
-  impact.restitution = (separating + force / pair.mass * (last / separating - dt / 2)) / speed;
+  impact.restitution = (separating + force / pair.effective_mass * (last / separating - dt / 2)) / speed;
   return impact;
 }
 

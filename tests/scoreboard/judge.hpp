@@ -8,8 +8,8 @@
 #include <array>
 #include <limits>
 
-#include "../oracle.hpp"
-#include "../random.hpp"
+#include "oracle.hpp"
+#include "random.hpp"
 #include "row.hpp"
 
 namespace contactlaws::test {

@@ -1,7 +1,7 @@
 // Laws stepped along the random paths of law_properties.hpp, for the scoreboard's programs.
 #pragma once
 
-#include "../law_properties.hpp"
+#include "law_properties.hpp"
 #include "row.hpp"
 
 namespace contactlaws::test {
@@ -14,8 +14,8 @@ double length_of(const Vec3<T>& v) {
 /// The largest of the parts whose sum a step returns: what its roundings are in proportion to [N].
 template <class State>
 double largest_part(const Step<double, State>& step) {
-  const double dashpot = step.surface - step.elastic;
-  return std::max({step.force.norm(), step.elastic, std::abs(dashpot), step.attraction});
+  const double dashpot = step.normal_force - step.normal_elastic;
+  return std::max({step.force.norm(), step.normal_elastic, std::abs(dashpot), step.bridge_force});
 }
 
 /// Values as a host stores them, compared bit by bit; the sign of a zero says nothing.

@@ -1,5 +1,6 @@
 // Item 9: on neighbouring numbers, a larger overlap never has a smaller force, a wider gap never a stronger bridge, and a
 // larger force never a smaller stiffness.
+#include "ballast/pohrt_popov_incremental.hpp"
 #include "contactlaws/contactlaws.hpp"
 #include "judge.hpp"
 
@@ -41,7 +42,7 @@ Drawn(Function, T, std::string) -> Drawn<Function, T>;
 
 template <class T>
 std::string text_of_pair(const PairProperties<T>& pair) {
-  return text_of("R* = ", pair.radius, ", E* = ", pair.young);
+  return text_of("R* = ", pair.effective_radius, ", E* = ", pair.effective_young);
 }
 
 template <class T>
@@ -61,7 +62,7 @@ void all(const Effort& effort) {
     const PairProperties<T> pair = wide_pair<T>(r);
     return Drawn{[pair](T o) {
                    typename LinearModulus<T>::State none;
-                   return LinearModulus<T>{pair.young}.respond(none, pair, o).force;
+                   return LinearModulus<T>{pair.effective_young}.respond(none, pair, o).force;
                  },
                  overlap(r), text_of_pair(pair)};
   });
@@ -74,8 +75,8 @@ void all(const Effort& effort) {
                    typename SuctionBridge<T>::State wet{T(2)};
                    return T(-bridge.respond(wet, pair, T(-gap)).force);
                  },
-                 share * rupture * pair.smaller_radius,
-                 text_of("R_o = ", pair.smaller_radius, ", lambda/R_o = ", bridge.decay_length)};
+                 share * rupture * pair.min_radius,
+                 text_of("R_o = ", pair.min_radius, ", lambda/R_o = ", bridge.decay_length)};
   });
 
   // Along the rough law, and about its transition.

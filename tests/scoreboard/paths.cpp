@@ -1,6 +1,6 @@
 // Items 3 and 14: every law along random paths of 100 steps, against the same template at 200 bits; and saved and restored
 // at every step of the way.
-#include "contactlaws/adapt/multiprecision.hpp"
+#include "contactlaws/scalars/multiprecision.hpp"
 #include "laws_along_paths.hpp"
 
 using namespace contactlaws;

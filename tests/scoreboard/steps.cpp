@@ -3,8 +3,8 @@
 //
 // A granite sphere of 5 mm on a plane, at 1 m/s. "Stable": pressed by the largest force of that impact and disturbed a
 // little, sticking, it stays where it is for 2000 steps; its spin is coupled in and sets the limit.
+#include "contactlaws/damping/restitution.hpp"
 #include "contactlaws/laws.hpp"
-#include "contactlaws/restitution.hpp"
 #include "contactlaws/timestep.hpp"
 #include "impact.hpp"
 #include "row.hpp"
@@ -25,7 +25,7 @@ double overlap_under(const Law& law, const PairProperties<double>& pair, double 
   double low = 0.0, high = radius;
   for (int i = 0; i < 200; ++i) {
     const double middle = (low + high) / 2;
-    (law.step(pair, {{0, 0, 1}, middle, {0, 0, 0}, 1.0}, {}).elastic < force ? low : high) = middle;
+    (law.step(pair, {{0, 0, 1}, middle, {0, 0, 0}, 1.0}, {}).normal_elastic < force ? low : high) = middle;
   }
   return high;
 }
@@ -33,16 +33,16 @@ double overlap_under(const Law& law, const PairProperties<double>& pair, double 
 /// Whether the pressed sphere, set rolling and bouncing a little, has not moved far after 2000 steps of `dt` [s].
 template <class Law>
 bool is_stable(const Law& law, const PairProperties<double>& pair, double press, double dt) {
-  const double rest = overlap_under(law, pair, press), inertia = 0.4 * pair.mass * radius * radius;
+  const double rest = overlap_under(law, pair, press), inertia = 0.4 * pair.effective_mass * radius * radius;
   const double nudge = 1e-4 * rest / dt;
   BodyMotion<double> ball{{0, 0, radius - rest}, {nudge, 0, nudge}, {0, 0, 0}};
   const BodyMotion<double> wall{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
   typename Law::State state{};
   for (int i = 0; i < 2000; ++i) {
-    const auto geometry = meet_plane<double>({0, 0, 0}, {0, 0, 1}, ball.position, radius);
+    const auto geometry = plane_sphere<double>({0, 0, 0}, {0, 0, 1}, ball.position, radius);
     const auto step = law.step(pair, contact_kinematics(geometry, wall, ball, dt), state);
     state = step.state;
-    ball.velocity += (step.force - Vec3<double>(0, 0, press)) / pair.mass * dt;
+    ball.velocity += (step.force - Vec3<double>(0, 0, press)) / pair.effective_mass * dt;
     ball.spin += geometry.arm2.cross(step.force) / inertia * dt;
     ball.position += ball.velocity * dt;
     if (!(std::abs(radius - ball.position.z() - rest) < 0.05 * rest)) return false;
@@ -72,7 +72,7 @@ void publish(const std::string& name, Law law) {
   state = law.step(pair, {{0, 0, 1}, rest, {0, 0, 0}, 1.0}, state).state;
   BodyStiffness<double> body;
   body.add(law.stiffness(pair, rest, state), {0, 0, 1}, radius - rest / 2);
-  const double estimate = stable_time_step(pair.mass, 0.4 * pair.mass * radius * radius, body, 1.0);
+  const double estimate = stable_time_step(pair.effective_mass, 0.4 * pair.effective_mass * radius * radius, body, 1.0);
   report({15, name + ": stable_time_step over the largest stable", estimate / (low * duration), "of 1", 1.0, 1, scene,
           "no safety factor included"});
 

@@ -148,7 +148,8 @@ void swap(std::int64_t count) {
     using Law = std::decay_t<decltype(law)>;
     visit_moments(law, count, [&](const Moment<Law>& m, const auto& step, Random&) {
       const ContactKinematics<double>& k = m.kinematics;
-      const auto seen = law.step(m.pair, {-k.normal, k.overlap, -k.velocity, k.dt, -k.spin}, swapped<Law>(m.state));
+      const auto seen =
+          law.step(m.pair, {-k.normal, k.overlap, -k.velocity, k.dt, -k.normal_spin}, swapped<Law>(m.state));
       ++tried;
       if (same_values(values_of(seen.force), values_of(Vec3<double>(-step.force))) &&
           same_values(stored<Law>(seen.state), stored<Law>(swapped<Law>(step.state))) && seen.sliding == step.sliding)
@@ -192,13 +193,13 @@ struct Units {
     const auto& p = m.pair;
     const auto& k = m.kinematics;
     const auto velocity = [&](int i) { return times(k.velocity[i], length / time); };
-    return {{times(p.radius, length), times(p.young, pascal), times(p.shear, pascal), times(p.mass, mass),
-             times(p.smaller_radius, length), times(p.length, length)},
+    return {{times(p.effective_radius, length), times(p.effective_young, pascal), times(p.effective_shear, pascal),
+             times(p.effective_mass, mass), times(p.min_radius, length), times(p.length, length)},
             {k.normal,
              times(k.overlap, length),
              {velocity(0), velocity(1), velocity(2)},
              times(k.dt, time),
-             times(k.spin, 1.0L / time)},
+             times(k.normal_spin, 1.0L / time)},
             state<Law>(m.state),
             times(m.force, factor("N"))};
   }
@@ -241,8 +242,8 @@ int main(int argc, char** argv) {
               "shows it most");
 
   const std::int64_t steps = effort(1000000, 1000000);
-  drift_of<carry::ProjectRestore<double>>("ProjectRestore", steps);
-  drift_of<carry::Rotate<double>>("Rotate", steps);
+  drift_of<rotation::ProjectRestore<double>>("ProjectRestore", steps);
+  drift_of<rotation::Rotate<double>>("Rotate", steps);
 
   swap(moments);
 

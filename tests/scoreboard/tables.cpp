@@ -8,9 +8,9 @@
 #include <fstream>
 #include <vector>
 
-#include "../oracle.hpp"
 #include "contactlaws/contactlaws.hpp"
-#include "contactlaws/restitution.hpp"
+#include "contactlaws/damping/restitution.hpp"
+#include "oracle.hpp"
 
 using namespace contactlaws;
 using namespace contactlaws::test;
@@ -51,7 +51,7 @@ class Tables {
       const std::vector<double> computed = kernel(row);
       for (const double x : row) text << to_string(x) << ',';
       Binary200 largest = 0;
-      for (const Binary200& x : exact) largest = larger<Binary200>(largest, abs(x));
+      for (const Binary200& x : exact) largest = maximum<Binary200>(largest, abs(x));
       for (std::size_t i = 0; i < exact.size(); ++i) {
         text << exact[i].str(30, std::ios_base::scientific) << (i + 1 < exact.size() ? ',' : '\n');
         const double off =
@@ -100,7 +100,7 @@ void write(Tables& tables) {
         using T = typename std::decay_t<decltype(x)>::value_type;
         const PairProperties<T> pair = pair_properties(sphere(ElasticMaterial<T>{x[0], x[1], x[2]}, x[3]),
                                                        sphere(ElasticMaterial<T>{x[4], x[5], x[6]}, x[7]));
-        return std::vector<T>{pair.radius, pair.young, pair.shear, pair.mass};
+        return std::vector<T>{pair.effective_radius, pair.effective_young, pair.effective_shear, pair.effective_mass};
       });
 
   tables.add("hertz", "radius,young,shear,overlap,force,stiffness,contact_radius,energy,shear_stiffness",
@@ -113,7 +113,7 @@ void write(Tables& tables) {
                                      hertz_energy<T>(pair, x[3]), Mindlin<T>{}.stiffness(pair, response)};
              });
 
-  tables.add("linear", "modulus,smaller_radius,length,overlap,stiffness,force",
+  tables.add("linear", "modulus,min_radius,length,overlap,stiffness,force",
              combinations({moduli, {1e-6, 5e-3}, {7e-3, 12.5e-3}, {5e-324, 1e-12, 1e-4}}), 5.0, [](const auto& x) {
                using T = typename std::decay_t<decltype(x)>::value_type;
                typename LinearModulus<T>::State none;
@@ -125,7 +125,7 @@ void write(Tables& tables) {
              combinations({{1e-6, 0.07, 1.0, 3.0}, {1e-18, 1e-3, 1e6}, {1e-9, 1e7}}), 4.0, [](const auto& x) {
                using T = typename std::decay_t<decltype(x)>::value_type;
                const Dashpots<T> law{x[0]};
-               return std::vector<T>{law.coefficients(x[1], x[2], x[2]).normal, law.stiffening()};
+               return std::vector<T>{law.coefficients(x[1], x[2], x[2]).normal, law.stiffness_factor()};
              });
 
   // z = ln e / ..., whose ULPs count for more the smaller e is: 4 - 2 ln e, and a product.
@@ -141,7 +141,7 @@ void write(Tables& tables) {
              });
 
   // Short of rupture; the energy is a difference of exponentials, whose roundings count e^(2/0.5) times at most.
-  tables.add("bridge", "suction,decay_length,rupture_gap,smaller_radius,overlap,force,energy",
+  tables.add("bridge", "suction,decay_length,rupture_gap,min_radius,overlap,force,energy",
              combinations({{1.0, 2e5}, {0.5, 2.0}, {2.0}, {5e-3}, {1e-4, 0.0, -1e-300, -1e-12, -1e-3, -9e-3}}), 60.0,
              [](const auto& x) {
                using T = typename std::decay_t<decltype(x)>::value_type;
@@ -197,8 +197,8 @@ void write(Tables& tables) {
       turns, 6.0,
       [](const auto& x) {
         using T = typename std::decay_t<decltype(x)>::value_type;
-        typename carry::Rotate<T>::State state{{x[0], x[1], x[2]}};
-        const Vec3<T> carried = carry::Rotate<T>::apply(state, {x[6], x[7], x[8]}, {x[3], x[4], x[5]}, x[9]);
+        typename rotation::Rotate<T>::State state{{x[0], x[1], x[2]}};
+        const Vec3<T> carried = rotation::Rotate<T>::apply(state, {x[6], x[7], x[8]}, {x[3], x[4], x[5]}, x[9]);
         return std::vector<T>{carried.x(), carried.y(), carried.z()};
       },
       true);

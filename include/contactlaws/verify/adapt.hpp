@@ -28,7 +28,7 @@ struct Adapted {
     state = step.state;
     const Vector force = step.force.template cast<double>();
     return {force, Vector(-force), Vector(geometry.arm1.cross(Vector(-force))), Vector(geometry.arm2.cross(force)),
-            static_cast<double>(step.attraction)};
+            static_cast<double>(step.bridge_force)};
   }
 
   State start() const { return first; }
@@ -56,18 +56,18 @@ struct Adapted {
     const Law other{slot(law.normal), slot(law.damping), slot(law.shear), slot(law.bridge)};
     return {other, T(young * units.pressure()), T(shear * units.pressure()), load(values)};
   }
-  /// The slopes of the springs, of the branch that is active: Law::stiffness() tells the stiffest, for the time step.
+  /// The slopes of the springs, of the branch that is active: Law::stiffness() tells the max_tangent, for the time step.
   ContactStiffness<double> stiffness(const Bodies& bodies, const State& state) const {
     State scratch = state;
     const auto response = law.normal.respond(scratch, pair(bodies), T(positive_part<double>(place(bodies).overlap)));
     T along = T(0);
-    if constexpr (decltype(law.shear)::resists) along = law.shear.stiffness(pair(bodies), response);
+    if constexpr (decltype(law.shear)::acts) along = law.shear.stiffness(pair(bodies), response);
     return {static_cast<double>(response.stiffness), static_cast<double>(along)};
   }
 
  private:
   static ContactGeometry<double> place(const Bodies& b) {
-    return meet_spheres<double>(b.one.position, b.one.radius, b.two.position, b.two.radius);
+    return sphere_sphere<double>(b.one.position, b.one.radius, b.two.position, b.two.radius);
   }
   PairProperties<T> pair(const Bodies& b) const {
     const double radius = 1 / (1 / b.one.radius + 1 / b.two.radius), mass = 1 / (1 / b.one.mass + 1 / b.two.mass);
@@ -75,7 +75,7 @@ struct Adapted {
             young,
             shear,
             T(mass),
-            T(smaller<double>(b.one.radius, b.two.radius)),
+            T(minimum<double>(b.one.radius, b.two.radius)),
             T(b.one.radius + b.two.radius)};
   }
   static double factor(const Units& units, const std::string& unit) {
@@ -92,7 +92,7 @@ struct Adapted {
 template <class Law>
 Adapted<Law> adapt(const Law& law, const PairProperties<typename Law::Scalar>& pair,
                    const typename Law::State& first = {}) {
-  return {law, pair.young, pair.shear, first};
+  return {law, pair.effective_young, pair.effective_shear, first};
 }
 
 }  // namespace contactlaws::verify

@@ -49,7 +49,7 @@ struct Interaction {
   std::optional<Vector> force1 = {};   ///< on body 1 [N]
   std::optional<Vector> torque1 = {};  ///< on body 1, about its centre [N m]
   std::optional<Vector> torque2 = {};  ///< on body 2, about its centre [N m]
-  double attraction = 0.0;             ///< pull within the force that friction does not count, a bridge's [N]
+  double bridge_force = 0.0;           ///< pull within the force that friction does not count, a bridge's [N]
 };
 
 /// Other units: every quantity is multiplied by the product of these that its dimension says.

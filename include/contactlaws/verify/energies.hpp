@@ -27,7 +27,7 @@ Work work_along(const Trial<Law>& trial, const Path& path) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Interaction answer = trial.law(scene[i].bodies, scene[i].dt, state);
     const Vector spring = force_at_rest(trial.law, scene[i], state);
-    if (i == 0) before = Vector(path[0].normal * -answer.attraction);  // a bridge pulls from the start
+    if (i == 0) before = Vector(path[0].normal * -answer.bridge_force);  // a bridge pulls from the start
     const Vector force = (before + spring) / 2 + (answer.force - spring);
     const double step = -dot<double>(force, path[i].velocity) * path[i].dt;
     work.done += step;
@@ -96,7 +96,7 @@ Result closed_loops(const Trial<Law>& trial) {
   std::vector<Path> loops;
   constexpr int loops_per_path = 20;  // few loops pay; a loop is cheap
   for (int i = 0; i < loops_per_path * trial.options.paths; ++i)
-    loops.push_back(detail::random_loop(trial.random, trial.scales, smaller<double>(claims.friction.value_or(1.0), 1.0),
+    loops.push_back(detail::random_loop(trial.random, trial.scales, minimum<double>(claims.friction.value_or(1.0), 1.0),
                                         claims.range.value_or(0.0)));
   return trial.judge(name, "of the work, gained", loops,
                      [&](const Path& path) { return detail::gain_along(trial, path); });

@@ -105,7 +105,7 @@ Result convergence(const Trial<Law>& trial) {
     const double first = change(coarse), last = change(fine);
     if (last <= 1e-5 + trial.rounding()) continue;
     using std::log2;
-    lowest = smaller<double>(lowest, log2(first / last) / 4);
+    lowest = minimum<double>(lowest, log2(first / last) / 4);
     if (!result.worst.see(last / first)) continue;
     if (result.worst.failed()) result.path = detail::smooth_path(trial.scales, amplitude, times);
   }
@@ -132,7 +132,7 @@ Result ratcheting(const Trial<Law>& trial) {
     const double other = trial.scales.overlap * trial.random.uniform(0.3, 0.9);
     const bool opening = trial.random.chance(0.5);  // where the slip is, the way round matters
     const double out = opening ? trial.scales.overlap : other, back = opening ? other : trial.scales.overlap;
-    const Vector slip = along * out * smaller<double>(friction, 1.0) * trial.random.log_uniform(1e-3, 0.03);
+    const Vector slip = along * out * minimum<double>(friction, 1.0) * trial.random.log_uniform(1e-3, 0.03);
     Path path{trial.move(normal, out)};
     for (int i = 0; i < cycles; ++i)
       for (const auto& [overlap, by] :

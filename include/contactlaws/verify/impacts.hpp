@@ -42,7 +42,7 @@ Impact collide(const Trial<Law>& trial, double speed, double angle, int steps) {
   State<Law> state = start_of(trial.law);
   for (int i = 0; i < 100 * steps; ++i) {  // one that sticks together ends here
     for (Body* body : {&b.one, &b.two}) body->position = body->position + body->velocity * dt;
-    const auto geometry = meet_spheres<double>(b.one.position, o.radius1, b.two.position, o.radius2);
+    const auto geometry = sphere_sphere<double>(b.one.position, o.radius1, b.two.position, o.radius2);
     impact.path.push_back(contact_kinematics<double>(geometry, {b.one.position, b.one.velocity, b.one.spin},
                                                      {b.two.position, b.two.velocity, b.two.spin}, dt));
     const Interaction a = trial.law(b, dt, state);

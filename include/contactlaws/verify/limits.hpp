@@ -45,7 +45,7 @@ Result coulomb_bound(const Trial<Law>& trial) {
     const Answers all = answers(trial.law, trial.scene(path));
     Finding finding{0.0, trial.rounding()};
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const double pressing = dot<double>(all[i].force, path[i].normal) + all[i].attraction;
+      const double pressing = dot<double>(all[i].force, path[i].normal) + all[i].bridge_force;
       const double shear = norm<double>(across(all[i].force, path[i].normal));
       const double beyond = (shear - friction * positive_part<double>(pressing)) / largest_force(all);
       finding.see(beyond);
@@ -76,7 +76,7 @@ Result friction_reached(const Trial<Law>& trial) {
     const Interaction last = answers(trial.law, trial.scene(path)).back();
     const Motion& m = path.back();
     const Vector slip = across(m.velocity, m.normal);
-    const double strength = friction * (dot<double>(last.force, m.normal) + last.attraction);
+    const double strength = friction * (dot<double>(last.force, m.normal) + last.bridge_force);
     if (!(strength > 0.0) || norm<double>(slip) * m.dt < 0.99 * far) return Finding{};
     const Vector expected = slip.normalized() * -strength;
     return Finding{norm<double>(across(last.force, m.normal) - expected) / strength, trial.rounding()};
@@ -159,7 +159,7 @@ Result open_contact(const Trial<Law>& trial) {
     const Answers all = answers(trial.law, trial.scene(further));
     const double across_gap = norm<double>(all[path.size()].force);
     const double shear = norm<double>(across(all.back().force, normal));
-    return Finding{larger<double>(across_gap, shear) / largest_force(all), trial.rounding()};
+    return Finding{maximum<double>(across_gap, shear) / largest_force(all), trial.rounding()};
   });
 }
 
@@ -200,18 +200,18 @@ Result stiffness_is_derivative(const Trial<Law>& trial) {
       const auto along = [&](double by) { return dot<double>(moved(path, by, none), normal); };
       const double here = along(0.0), loading = (along(h) - here) / h, unloading = (here - along(-h)) / h;
       const double normal_stiffness = told(path).normal;
-      const double scale = larger<double>(fabs(normal_stiffness), larger<double>(fabs(loading), fabs(unloading)));
+      const double scale = maximum<double>(fabs(normal_stiffness), maximum<double>(fabs(loading), fabs(unloading)));
       if (!(scale * overlap <= 1e-6 * trial.scales.force))  // a NaN is looked at
-        finding.see(smaller<double>(fabs(loading - normal_stiffness), fabs(unloading - normal_stiffness)) / scale);
+        finding.see(minimum<double>(fabs(loading - normal_stiffness), fabs(unloading - normal_stiffness)) / scale);
 
       const double friction = trial.options.claims.friction.value_or(1.0);
       if (!(friction > 0.0)) return finding;
       const Path closing{trial.move(normal, overlap)};
-      const double slip = 1e-3 * smaller<double>(friction, 1.0) * overlap;
+      const double slip = 1e-3 * minimum<double>(friction, 1.0) * overlap;
       const Vector sheared =
           moved(closing, 0.0, slip * Rotation(Eigen::Quaterniond::FromTwoVectors(Vector(0, 0, 1), normal)).col(0));
       const double slope = norm<double>(across(sheared, normal)) / slip, shear_stiffness = told(closing).shear;
-      const double larger_one = larger<double>(fabs(shear_stiffness), slope);
+      const double larger_one = maximum<double>(fabs(shear_stiffness), slope);
       if (!(larger_one * overlap <= 1e-6 * trial.scales.force)) {
         const double off = fabs(slope - shear_stiffness) / larger_one;
         finding.see(off);

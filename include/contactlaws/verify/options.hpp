@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "contactlaws/validate.hpp"
+#include "contactlaws/core/validate.hpp"
 
 namespace contactlaws::verify {
 

@@ -72,7 +72,7 @@ inline Scene staged(const Path& path, const Options& options) {
     const double r1 = options.radius1 - m.overlap / 2, r2 = options.radius2 - m.overlap / 2, d = r1 + r2;
     const Vector slip = across(m.velocity, m.normal);
     const Vector turn = i > 0 && m.dt > 0.0 ? Vector((m.normal - path[i - 1].normal) / m.dt) : Vector(0, 0, 0);
-    const Vector together = m.normal.cross(across(turn, m.normal) - slip / d) + m.normal * m.spin;
+    const Vector together = m.normal.cross(across(turn, m.normal) - slip / d) + m.normal * m.normal_spin;
     const Vector roll = slip / (2 * d * (r1 + r2));
     const Vector spin1 = together + roll * r2, spin2 = together - roll * r1;
     const Vector by_spin = spin2.cross(m.normal * -r2) - spin1.cross(m.normal * r1);
@@ -97,7 +97,7 @@ inline void write_path(std::ostream& out, const Path& path) {
     out << m.dt << ',' << m.overlap;
     for (int i = 0; i < 3; ++i) out << ',' << m.normal[i];
     for (int i = 0; i < 3; ++i) out << ',' << m.velocity[i];
-    out << ',' << m.spin << '\n';
+    out << ',' << m.normal_spin << '\n';
   }
   out.precision(digits);
 }

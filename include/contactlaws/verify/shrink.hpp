@@ -16,7 +16,7 @@ namespace detail {
 
 inline Path without(const Path& path, std::size_t begin, std::size_t count) {
   Path shorter(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(begin));
-  const std::size_t end = smaller<std::size_t>(begin + count, path.size());
+  const std::size_t end = minimum<std::size_t>(begin + count, path.size());
   shorter.insert(shorter.end(), path.begin() + static_cast<std::ptrdiff_t>(end), path.end());
   settle(shorter);
   return shorter;
@@ -94,7 +94,7 @@ Path shrunk(Path path, const Shows& shows) {
   try_instead(detail::laid_along_axes(path));
   for (std::size_t i = 0; i < path.size(); ++i) {
     Path plainer = path;
-    plainer[i].spin = 0.0;
+    plainer[i].normal_spin = 0.0;
     try_instead(plainer);
     plainer = path;
     plainer[i].velocity = Vector(0, 0, 0);

@@ -93,7 +93,7 @@ Result frame_indifference(const Trial<Law>& trial) {
   };
   const auto translate = [&q](const Interaction& a) {
     return Interaction{q * a.force, detail::turned(a.force1, q), detail::turned(a.torque1, q),
-                       detail::turned(a.torque2, q), a.attraction};
+                       detail::turned(a.torque2, q), a.bridge_force};
   };
   return trial.judge("frame indifference", "of the largest force",
                      [&](const Path& path) { return detail::observed(trial, path, observe, translate); });
@@ -119,7 +119,7 @@ template <class Law>
 Result swap_of_bodies(const Trial<Law>& trial) {
   const auto observe = [](const Bodies& bodies, double) { return Bodies{bodies.two, bodies.one}; };
   const auto translate = [](const Interaction& a) {
-    return Interaction{-a.force, {}, a.torque2, a.torque1, a.attraction};  // force1 is the third law's
+    return Interaction{-a.force, {}, a.torque2, a.torque1, a.bridge_force};  // force1 is the third law's
   };
   return trial.judge("swap of the bodies", "of the largest force",
                      [&](const Path& path) { return detail::observed(trial, path, observe, translate); });
@@ -166,7 +166,7 @@ Finding turned_as_one(const Trial<Law>& trial, const Path& path) {
     force = force_at_rest(trial.law, scene[i], state);
     const double slip = norm<double>(across(m.velocity, m.normal)) * m.dt;
     if (i > 0 && overlap == m.overlap && slip <= 1e-9 * trial.scales.overlap) {
-      const double twist = m.spin * m.dt, angle = normal.cross(m.normal).norm() + fabs(twist);
+      const double twist = m.normal_spin * m.dt, angle = normal.cross(m.normal).norm() + fabs(twist);
       const Eigen::AngleAxisd about(twist, m.normal);
       expected = about * (Eigen::Quaterniond::FromTwoVectors(normal, m.normal) * expected);
       squares += angle * angle;
@@ -194,7 +194,7 @@ std::vector<Path> turns(const Trial<Law>& trial, bool twist) {
     for (int i = 1; i <= steps; ++i) {
       const Eigen::AngleAxisd turn(static_cast<double>(i) / steps, about);
       path.push_back(trial.move(twist ? start : Vector(turn * start), trial.scales.overlap));
-      if (twist) path.back().spin = 1.0 / steps / path.back().dt;
+      if (twist) path.back().normal_spin = 1.0 / steps / path.back().dt;
     }
     settle(path);
     all.push_back(path);

@@ -35,7 +35,7 @@ Vector force_at_rest(const Law& law, const Moment& moment, detail::State<Law> st
 /// The largest force, which errors are measured in [N]; 1 where there is none.
 inline double largest_force(const Answers& all) {
   double largest = 0.0;
-  for (const Interaction& a : all) largest = larger<double>(largest, norm<double>(a.force));
+  for (const Interaction& a : all) largest = maximum<double>(largest, norm<double>(a.force));
   return largest > 0.0 ? largest : 1.0;
 }
 

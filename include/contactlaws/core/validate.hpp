@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Parameters are checked once, where a law or a scene is built: the only file that throws.
+// Message: what, its value and unit, the range allowed, e.g.
+//   ElasticMaterial: poisson is 0.7, must lie in (-1, 0.5]
+// Without exceptions in the build a rejected value ends the program.
+#pragma once
+
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "contactlaws/core/parameter.hpp"
+
+namespace contactlaws {
+
+[[noreturn]] inline void reject(const std::string& message) {
+#if defined(__cpp_exceptions)
+  throw std::invalid_argument(message);
+#else
+  (void)message;
+  std::abort();
+#endif
+}
+
+inline std::string to_string(const Range& range) {
+  std::ostringstream text;
+  text << (range.low_included ? '[' : '(');
+  if (range.low == -Range::infinity) {
+    text << "-inf";
+  } else {
+    text << range.low;
+  }
+  text << ", ";
+  if (range.high == Range::infinity) {
+    text << "inf";
+  } else {
+    text << range.high;
+  }
+  text << (range.high_included ? ']' : ')');
+  return text.str();
+}
+
+/// A number in the fewest digits that give it back: 0.7, not 0.69999999999999996.
+inline std::string to_string(double value) {
+  for (int digits = 6;; ++digits) {
+    std::ostringstream text;
+    text.precision(digits);
+    text << value;
+    if (digits == std::numeric_limits<double>::max_digits10 || std::strtod(text.str().c_str(), nullptr) == value)
+      return text.str();
+  }
+}
+
+/// Rejects `value` unless it lies in `range`. @throws std::invalid_argument naming owner, name, value, unit and range
+inline void require_in(const Range& range, double value, const char* owner, const char* name, const char* unit) {
+  if (range.contains(value)) return;
+  std::ostringstream text;
+  text << owner << ": " << name << " is " << to_string(value);
+  if (std::string(unit) != "1") text << ' ' << unit;
+  text << ", must lie in " << to_string(range);
+  reject(text.str());
+}
+
+namespace detail {
+template <class Owner, class = void>
+struct HasSlots : std::false_type {};
+template <class Owner>
+struct HasSlots<Owner, std::void_t<decltype(std::declval<const Owner&>().slots())>> : std::true_type {};
+}  // namespace detail
+
+/// Rejects `owner` unless each of its parameters lies in its range; hands it back otherwise.
+/// `Owner` offers `name` and `parameters()` (Dashpots is a short example), or `slots()` that do.
+/// @throws std::invalid_argument at the first that does not
+template <class Owner>
+Owner checked(const Owner& owner) {
+  if constexpr (detail::HasSlots<Owner>::value) {
+    std::apply([](const auto&... slot) { (checked(slot), ...); }, owner.slots());
+  } else {
+    for (const auto& p : Owner::parameters())
+      require_in(p.range, static_cast<double>(owner.*p.member), Owner::name, p.name, p.unit);
+  }
+  return owner;
+}
+
+}  // namespace contactlaws

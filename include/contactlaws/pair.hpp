@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// From materials and shapes to the effective properties of a pair, once per pair (Potyondy 2019, Table 4):
+//
+//   1/R* = c1 + c2                    c = 1/R, 0 for a plane, negative for a concave wall
+//   1/E* = sum (1 - nu^2) / E         0 for a rigid side
+//   1/G* = sum 2 (2 - nu)(1 + nu) / E
+//   1/m* = sum 1/m                    0 for a fixed side
+#pragma once
+
+#include <array>
+
+#include "contactlaws/core/parameter.hpp"
+#include "contactlaws/core/scalar.hpp"
+#include "contactlaws/core/validate.hpp"
+
+namespace contactlaws {
+
+/// A linear elastic, isotropic material.
+template <class T>
+struct ElasticMaterial {
+  T young;    ///< Young's modulus E [Pa]
+  T poisson;  ///< Poisson's ratio nu [1]
+  T density;  ///< [kg/m^3]
+
+  static constexpr const char* name = "ElasticMaterial";
+  static constexpr std::array<Parameter<ElasticMaterial, T>, 3> parameters() {
+    return {{{"young", "Pa", &ElasticMaterial::young, Range::positive()},
+             {"poisson", "1", &ElasticMaterial::poisson, Range::left_open(-1.0, 0.5)},
+             {"density", "kg/m^3", &ElasticMaterial::density, Range::positive()}}};
+  }
+};
+
+/// What a law is told of a pair of bodies.
+template <class T>
+struct PairProperties {
+  T effective_radius;  ///<  R* [m]
+  T effective_young;   ///< effective modulus E* [Pa]
+  T effective_shear;   ///< effective shear modulus G* [Pa]
+  T effective_mass;    ///< effective mass m* [kg]
+  T min_radius;        ///< R_o, of the smaller body [m]
+  T length;            ///< L = R1 + R2, the distance of the centres at touch; a wall adds nothing [m]
+
+  /// The same properties, each as `convert` makes it: rounded to a float, loaded into a pack.
+  template <class U, class Convert>
+  CONTACTLAWS_HD PairProperties<U> map(const Convert& convert) const {
+    return {convert(effective_radius), convert(effective_young), convert(effective_shear),
+            convert(effective_mass),   convert(min_radius),      convert(length)};
+  }
+  template <class U>
+  CONTACTLAWS_HD PairProperties<U> cast() const {
+    return map<U>([](const T& x) { return scalar_cast<U>(x); });
+  }
+};
+
+/// One side of a contact: make it with sphere(), plane() or spherical_cup(), then perhaps `.rigid()` or `.fixed()`.
+template <class T>
+struct ContactBody {
+  T curvature;          ///< [1/m]
+  T radius;             ///< [m], 0 for a wall
+  T inverse_mass;       ///< [1/kg]
+  T normal_compliance;  ///< (1 - nu^2) / E [1/Pa]
+  T shear_compliance;   ///< 2 (2 - nu)(1 + nu) / E [1/Pa]
+
+  /// The same side, undeformable.
+  ContactBody rigid() const { return {curvature, radius, inverse_mass, T(0), T(0)}; }
+  /// The same side, held in space.
+  ContactBody fixed() const { return {curvature, radius, T(0), normal_compliance, shear_compliance}; }
+  /// The same side as part of a body of this mass [kg]. @throws std::invalid_argument unless mass > 0
+  ContactBody with_mass(const T& mass) const {
+    require_in(Range::positive(), static_cast<double>(mass), "ContactBody", "mass", "kg");
+    return {curvature, radius, T(1) / mass, normal_compliance, shear_compliance};
+  }
+};
+
+namespace detail {
+template <class T>
+ContactBody<T> body_of_material(const ElasticMaterial<T>& material, const T& curvature, const T& radius,
+                                const T& inverse_mass) {
+  checked(material);
+  const T one = T(1);
+  const T nu = material.poisson;
+  return {curvature, radius, inverse_mass, (one - nu) * (one + nu) / material.young,
+          T(2) * (T(2) - nu) * (one + nu) / material.young};
+}
+}  // namespace detail
+
+/// Mass of a sphere [kg].
+template <class T>
+T sphere_mass(const T& radius, const T& density) {
+  return T(4) / T(3) * pi<T>() * radius * radius * radius * density;
+}
+
+/// A sphere of this material. @throws std::invalid_argument unless the radius [m] is positive and finite
+template <class T>
+ContactBody<T> sphere(const ElasticMaterial<T>& material, const T& radius) {
+  require_in(Range::positive(), static_cast<double>(radius), "sphere", "radius", "m");
+  return detail::body_of_material<T>(material, T(1) / radius, radius, T(1) / sphere_mass<T>(radius, material.density));
+}
+
+/// A plane wall, held in space.
+template <class T>
+ContactBody<T> plane(const ElasticMaterial<T>& material) {
+  return detail::body_of_material<T>(material, T(0), T(0), T(0));
+}
+
+/// The inside of a spherical wall, held in space. @throws std::invalid_argument unless the radius [m] is positive
+template <class T>
+ContactBody<T> spherical_cup(const ElasticMaterial<T>& material, const T& radius) {
+  require_in(Range::positive(), static_cast<double>(radius), "spherical_cup", "radius", "m");
+  return detail::body_of_material<T>(material, T(-1) / radius, T(0), T(0));
+}
+
+/// Effective properties of two sides in contact.
+/// @throws std::invalid_argument if the two surfaces conform (1/R* <= 0), or both are rigid, or both are fixed
+template <class T>
+PairProperties<T> pair_properties(const ContactBody<T>& a, const ContactBody<T>& b) {
+  const auto inverse_of = [](const T& sum, const char* what, const char* unit) {
+    require_in(Range::positive(), static_cast<double>(sum), "pair_properties", what, unit);
+    return T(T(1) / sum);
+  };
+  const T radius = inverse_of(T(a.curvature + b.curvature), "1/R* (the sum of the curvatures)", "1/m");
+  const T young = inverse_of(T(a.normal_compliance + b.normal_compliance), "1/E* (one side must deform)", "1/Pa");
+  const T shear = inverse_of(T(a.shear_compliance + b.shear_compliance), "1/G* (one side must deform)", "1/Pa");
+  const T mass = inverse_of(T(a.inverse_mass + b.inverse_mass), "1/m* (one side must be free)", "1/kg");
+  const T length = a.radius + b.radius;
+  const bool both_spheres = a.radius > T(0) && b.radius > T(0);
+  return {radius, young, shear, mass, both_spheres ? minimum<T>(a.radius, b.radius) : length, length};
+}
+
+}  // namespace contactlaws

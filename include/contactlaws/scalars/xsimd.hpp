@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Packs of numbers: any kernel on xsimd::batch<double> or <float>, one contact a lane.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include <xsimd/xsimd.hpp>
+
+#include "contactlaws/batch.hpp"
+#include "contactlaws/core/power.hpp"
+
+namespace Eigen {
+template <class L, class A>
+struct NumTraits<xsimd::batch<L, A>> : GenericNumTraits<xsimd::batch<L, A>> {
+  using Real = xsimd::batch<L, A>;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = L;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};
+}  // namespace Eigen
+
+namespace contactlaws {
+template <class L, class A>
+struct ScalarTraits<xsimd::batch<L, A>> {
+  using Pack = xsimd::batch<L, A>;
+  using Mask = xsimd::batch_bool<L, A>;
+  using Lane = L;
+  static constexpr std::size_t lanes = Pack::size;
+
+  static Pack select(const Mask& condition, const Pack& yes, const Pack& no) noexcept {
+    return xsimd::select(condition, yes, no);
+  }
+  static bool any(const Mask& condition) noexcept { return xsimd::any(condition); }
+  static Pack load(const L* values) noexcept { return Pack::load_unaligned(values); }
+  static void store(L* values, const Pack& x) noexcept { x.store_unaligned(values); }
+};
+
+template <class L, class A>
+struct BinaryDigits<xsimd::batch<L, A>> {
+  using Pack = xsimd::batch<L, A>;
+  static constexpr bool known = true;
+  using Bits = xsimd::batch<std::conditional_t<sizeof(L) == 8, std::uint64_t, std::uint32_t>, A>;
+
+  static Bits bits(const Pack& x) noexcept { return xsimd::bitwise_cast<Bits>(x); }
+  static Pack number(const Bits& bits) noexcept { return xsimd::bitwise_cast<Pack>(bits); }
+  static Pack nearest(const Pack& x) noexcept { return xsimd::nearbyint(x); }
+};
+
+template <>
+struct PackOf<double> {
+  using type = xsimd::batch<double>;
+};
+template <>
+struct PackOf<float> {
+  using type = xsimd::batch<float>;
+};
+}  // namespace contactlaws

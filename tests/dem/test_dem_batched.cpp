@@ -1,0 +1,138 @@
+// The packs of examples/dem: what they compute is what a contact alone would get, whatever the number of threads.
+#include "catch.hpp"
+#include "contactlaws/laws.hpp"
+#include "examples/dem/simulation.hpp"
+#include "random.hpp"
+
+using namespace contactlaws;
+using contactlaws::test::Random;
+using V = dem::Vec3;
+
+namespace {
+
+const ElasticMaterial<double> soft{5e6, 0.3, 2500.0};
+
+/// `count` balls that rush about in a box: they touch, slide, open and are listed anew.
+template <class Scene>
+void fill(Scene& scene, int count) {
+  Random random(19);
+  const double cell = 7e-3;
+  const int edge = 4;
+  for (const dem::Wall& wall : dem::box_of_walls(plane(soft), V::Zero(), V::Constant(cell * edge))) scene.add(wall);
+  for (int i = 0; i < count; ++i) {
+    const V corner(i % edge, i / edge % edge, i / edge / edge);
+    scene.add(dem::Ball{sphere(soft, random.uniform(2e-3, 3.4e-3)), (corner + V::Constant(0.5)) * cell,
+                        2.0 * random.direction(), 100.0 * random.direction()});
+  }
+  scene.gravity = {0.0, 0.0, -9.81};
+  scene.skin = 0.1;
+  scene.time_step = 5e-6;
+}
+
+/// Makes every contact of a law with a bridge wet.
+template <class Scene>
+void wet_all(Scene& scene) {
+  scene.start();
+  for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {
+    auto state = scene.ball_contacts.state(c);
+    state.moisture = 2.0;
+    scene.ball_contacts.set_state(c, state);
+  }
+}
+
+template <class One, class Other>
+double largest_difference(const One& one, const Other& other) {
+  double largest = 0.0;
+  for (std::size_t b = 0; b < one.balls.size(); ++b)
+    largest = std::max(largest, (one.balls.position[b] - other.balls.position[b]).norm() +
+                                    (one.balls.spin[b] - other.balls.spin[b]).norm());
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("packs give the bits of one contact at a time, with every tail, through walls and listings") {
+  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.1});
+  for (const int count : {2, 3, 5, 16, 63, 64}) {
+    dem::Simulation<DryHill<double>, DryHill<double>, double> one_by_one(law);
+    dem::Simulation<DryHill<double>> in_packs(law);
+    fill(one_by_one, count);
+    fill(in_packs, count);
+    std::size_t touches = 0;
+    for (int step = 0; step < 1500; ++step) {
+      one_by_one.step();
+      in_packs.step();
+      touches += in_packs.ball_contacts.size();
+    }
+    CHECK(largest_difference(one_by_one, in_packs) == 0.0);
+    CHECK((count < 16 || touches > 1000));  // the test saw something
+  }
+}
+
+TEST_CASE("the law asked again about one contact says what its pack was told") {
+  dem::Simulation<DryHill<double>> scene(dry_hill<double>({0.4, 0.0, 0.1}));
+  fill(scene, 64);
+  int touching = 0, sliding = 0;
+  for (int step = 0; step < 1000; ++step) {
+    scene.step();
+    for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {
+      const auto contact = scene.ball_contact(c);
+      touching += contact.response.active;
+      sliding += contact.response.sliding;
+      for (std::size_t i = 0; i < 3; ++i) {
+        REQUIRE(scene.ball_contacts.force[c][static_cast<int>(i)] == contact.response.force[static_cast<int>(i)]);
+        REQUIRE(scene.ball_contacts.state(c).shear[i] == contact.response.state.shear[i]);
+      }
+    }
+  }
+  CHECK(touching > 1000);
+  CHECK(sliding > 100);
+}
+
+TEST_CASE("a wet contact differs from its pack by the rounding of exp alone") {
+  dem::Simulation<Hill<double>> scene(hill<double>({0.4, 1e3, 0.1}));
+  fill(scene, 64);
+  wet_all(scene);
+  int pulling = 0;
+  for (int step = 0; step < 500; ++step) {
+    scene.step();
+    for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {
+      const auto contact = scene.ball_contact(c);
+      const V in_pack = scene.ball_contacts.force[c];
+      pulling += contact.response.bridge_force > 0.0 && contact.geometry.overlap < 0.0;
+      const double size = std::abs(contact.response.normal_force) + contact.response.bridge_force;
+      REQUIRE((in_pack - contact.response.force).norm() <= 1e-15 * size);
+      REQUIRE(scene.ball_contacts.state(c).moisture == contact.response.state.moisture);
+    }
+  }
+  CHECK(pulling > 1000);
+}
+
+TEST_CASE("any number of threads gives the same bits") {
+  const Hill<double> law = hill<double>({0.4, 1e3, 0.1});
+  dem::Simulation<Hill<double>> alone(law);
+  fill(alone, 61);
+  wet_all(alone);
+  for (int step = 0; step < 500; ++step) alone.step();
+  for (const int threads : {2, 3, 100}) {
+    dem::Simulation<Hill<double>> shared(law);
+    fill(shared, 61);
+    shared.threads = threads;
+    wet_all(shared);
+    for (int step = 0; step < 500; ++step) shared.step();
+    CHECK(largest_difference(alone, shared) == 0.0);
+    for (std::size_t w = 0; w < alone.walls.size(); ++w) CHECK(alone.walls[w].force == shared.walls[w].force);
+  }
+}
+
+TEST_CASE("a scene without contacts, without balls, and with more threads than either") {
+  dem::Simulation<DryHill<double>> scene(dry_hill<double>({0.4}));
+  scene.threads = 4;
+  scene.time_step = 1e-3;
+  scene.step();
+  scene.add(dem::Ball{sphere(soft, 1e-3), V::Zero(), V::UnitX()});
+  scene.step();
+  CHECK(scene.balls.position[0] == V(1e-3, 0.0, 0.0));
+  scene.threads = 0;
+  CHECK_THROWS_WITH(scene.step(), ContainsSubstring("Simulation: threads is 0, must lie in [1, inf)"));
+}

@@ -1,0 +1,210 @@
+#include "contactlaws/tangential/incremental_shear.hpp"
+
+#include "catch.hpp"
+#include "contactlaws/laws.hpp"
+#include "oracle.hpp"
+#include "random.hpp"
+
+namespace contactlaws::test {
+namespace {
+
+template <class Shear>
+using Undamped = ContactLaw<Hertz<double>, NoDashpots<double>, Shear>;
+
+/// The granite grains, normal +z, sheared along +x by a law with friction mu.
+template <class Shear>
+struct Sheared {
+  Undamped<Shear> law{{}, {}, {{}, 0.0}, {}};
+  PairProperties<double> pair = granite_pair<double>();
+  typename Undamped<Shear>::State state{};
+
+  explicit Sheared(double mu) { law.shear.friction = mu; }
+
+  /// Shear force opposite to the motion [N].
+  double move(double overlap, double distance) {
+    const double dt = 1e-6;
+    const auto step = law.step(pair, {{0, 0, 1}, overlap, {distance / dt, 0, 0}, dt}, state);
+    state = step.state;
+    return -step.force.x();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Shear: stiffness 8 G* a, and its ratio to the normal one") {
+  const PairProperties<double> pair = granite_pair<double>();
+  const HertzResponse<double> normal = hertz_response(pair, 1e-4);
+  // k_s o^(1/2), k_s printed to 15 digits
+  CHECK(Mindlin<double>{}.stiffness(pair, normal) == Approx(1.49320368203524e9 * 0.01).epsilon(1e-14));
+  CHECK(ConstantRatio<double>{0.25}.stiffness(pair, normal) == 0.25 * normal.stiffness);
+  CHECK(mindlin_ratio(pair) == Approx(2.0 * (1.0 - 0.15) / (2.0 - 0.15)).epsilon(1e-15));  // one material
+
+  // Aluminium oxide on an aluminium wall, to 10 digits
+  const ElasticMaterial<double> oxide{380e9, 0.23, 4000}, aluminium{70e9, 0.25, 2700};
+  const PairProperties<double> wall = pair_properties(sphere(oxide, 2.5e-3), plane(aluminium));
+  CHECK(Mindlin<double>{}.stiffness(wall, hertz_response(wall, 1e-4)) == Approx(5.408444289e9 * 0.01).epsilon(1e-9));
+}
+
+// One path, four laws that all go by the name of Hertz-Mindlin: o = 0.1 mm, 99.0 um of shear, back off to 0.05 mm, return.
+// The numbers are those of the codes that use each law, to 9 or 10 digits.
+TEMPLATE_TEST_CASE("Shear: four histories agree while the overlap does not change", "", ShearForce<double>,
+                   ShearForceRescaled<double>, ShearDisplacement<double>, ShearDisplacementRescaled<double>) {
+  CHECK(Sheared<TestType>(10.0).move(1e-4, 99.0e-6) == Approx(1478.27164521).epsilon(1e-11));
+  CHECK(Sheared<TestType>(0.4).move(1e-4, 99.0e-6) == Approx(433.321852826).epsilon(1e-11));
+
+  // A contact that has slid remembers no more than friction bears: going back unloads it at once.
+  Sheared<TestType> reversed(0.4);
+  reversed.move(1e-4, 99.0e-6);
+  CHECK(reversed.move(1e-4, -1e-6) == Approx(433.321852826 - 1.49320368203524e7 * 1e-6).epsilon(1e-11));
+
+  Sheared<TestType> slowly(0.4);
+  double force = 0.0, slip = 0.0;
+  for (int i = 1; i <= 9900; ++i) {
+    force = slowly.move(1e-4, 1e-8);
+    if (slip == 0.0 && force > 433.32185) slip = i * 1e-8;
+  }
+  CHECK(force == Approx(433.321852826).epsilon(1e-11));
+  CHECK(slip == Approx(29.02e-6).margin(0.011e-6));  // printed digit and step
+}
+
+TEST_CASE("Shear: unloading to half the overlap and back tells the four histories apart") {
+  const auto path = [](auto sheared, double unloaded, double reloaded) {
+    sheared.move(1e-4, 99.0e-6);
+    CHECK(sheared.move(0.5e-4, 0.0) == Approx(unloaded).epsilon(1e-8));
+    CHECK(sheared.move(1e-4, 0.0) == Approx(reloaded).epsilon(1e-8));
+  };
+  path(Sheared<ShearForce<double>>(10.0), 1478.27164, 1478.27164);
+  path(Sheared<ShearForceRescaled<double>>(10.0), 1045.29590, 1045.29590);
+  path(Sheared<ShearDisplacement<double>>(10.0), 1045.29590, 1478.27164);
+  path(Sheared<ShearDisplacementRescaled<double>>(10.0), 739.135823, 1045.29590);
+}
+
+TEST_CASE("Shear, fault: with a displacement history the force changes with the radius though nothing shears") {
+  // A known trait of the two displacement laws, and of no other: the force laws keep, or lower by the stiffness once.
+  const double start = 1e-4, deeper = 2.25e-4;  // 1.5 times the radius of the contact
+  const auto grown = [&](auto sheared) {
+    const double before = sheared.move(start, 1e-5);
+    return sheared.move(deeper, 0.0) / before;
+  };
+  const auto shrunk = [&](auto sheared) {
+    const double before = sheared.move(deeper, 1e-5);
+    return sheared.move(start, 0.0) / before;
+  };
+  CHECK(grown(Sheared<ShearForce<double>>(1e3)) == 1.0);
+  CHECK(grown(Sheared<ShearForceRescaled<double>>(1e3)) == 1.0);
+  CHECK(grown(Sheared<ShearDisplacement<double>>(1e3)) == Approx(1.5).epsilon(1e-14));
+  CHECK(grown(Sheared<ShearDisplacementRescaled<double>>(1e3)) == Approx(1.5).epsilon(1e-14));
+  CHECK(shrunk(Sheared<ShearForce<double>>(1e3)) == 1.0);
+  CHECK(shrunk(Sheared<ShearForceRescaled<double>>(1e3)) ==
+        Approx(1.0 / 1.5).epsilon(1e-14));  // the radius, not its square
+  CHECK(shrunk(Sheared<ShearDisplacement<double>>(1e3)) == Approx(1.0 / 1.5).epsilon(1e-14));
+  CHECK(shrunk(Sheared<ShearDisplacementRescaled<double>>(1e3)) == Approx(1.0 / 2.25).epsilon(1e-14));
+}
+
+TEST_CASE("Shear: friction limits spring and dashpot together, after the spring alone") {
+  const PairProperties<double> pair = granite_pair<double>();
+  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.5});
+  const double overlap = 1e-4, strength = 0.4 * 1083.30463206478;
+  const auto slide = [&](double distance, double dt, const DryHill<double>::State& state) {
+    return law.step(pair, {{0, 0, 1}, overlap, {distance / dt, 0, 0}, dt}, state);
+  };
+  // A micrometre sticks (15 N), but not at 100 m/s: the spring keeps its 15 N, the sum is cut.
+  const auto fast = slide(1e-6, 1e-8, {});
+  CHECK(fast.sliding);
+  CHECK(fast.force.x() == Approx(-strength).epsilon(1e-14));
+  CHECK(fast.state.shear[0] == Approx(-1.49320368203524e9 * 0.01 * 1e-6).epsilon(1e-14));
+  // So far that the spring slips: both are cut, and the history keeps what friction bears.
+  const auto far = slide(1e-4, 1e-3, {});
+  CHECK(far.sliding);
+  CHECK(far.state.shear[0] == Approx(-strength).epsilon(1e-14));
+  // At rest nothing slips any more.
+  const auto rest = slide(0.0, 1e-3, far.state);
+  CHECK(rest.force.x() == Approx(-strength).epsilon(1e-14));
+}
+
+TEST_CASE("Shear, fault: Coulomb limit when damping makes the normal force negative") {
+  const PairProperties<double> pair = granite_pair<double>();
+  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.5});
+  const auto pressed = law.step(pair, {{0, 0, 1}, 1e-6, {1.0, 0, 0}, 1e-6}, {});
+  REQUIRE(pressed.force.x() < 0.0);
+  const auto pulled = law.step(pair, {{0, 0, 1}, 1e-6, {1.0, 0, 5.0}, 1e-6}, pressed.state);
+  REQUIRE(pulled.normal_force < 0.0);
+  CHECK(pulled.force.x() == 0.0);  // nothing presses, so nothing resists; it must not turn round
+  CHECK(pulled.sliding);
+  CHECK(pulled.state.shear[0] == 0.0);
+}
+
+TEST_CASE("Shear: friction counts the surface force, not the pull of a bridge") {
+  const PairProperties<double> pair = granite_pair<double>();
+  const Hill<double> law = hill<double>({0.4, 2e5, 0.0});
+  Hill<double>::State wet{};
+  Hill<double>::make_wet(wet, 0.0, 0.0);
+  const auto step = law.step(pair, {{0, 0, 1}, 5.946e-6, {100.0, 0, 0}, 1e-6}, wet);
+  CHECK(step.force.x() == Approx(-0.4 * step.normal_force).epsilon(1e-15));
+}
+
+using ForceOnSpring = ShearForce<double, ConstantRatio<double>>;
+using DisplacementOnSpring = ShearDisplacement<double, ConstantRatio<double>>;
+
+TEMPLATE_TEST_CASE("Shear: the friction limit from 1e-300 to 1e300 N, and from mu 0 to 1e9", "", ForceOnSpring,
+                   DisplacementOnSpring) {
+  const PairProperties<double> pair = granite_pair<double>();
+  const Vec3<double> along = Vec3<double>(0.6, 0.8, 0.0);
+  for (const double force : {1e-300, 1e-200, 1e-160, 1e-100, 1.0, 1e100, 1e154, 1e200, 1e300}) {
+    const double overlap = 1e-4;
+    const auto law = [&](double mu) {
+      return ContactLaw<LinearSpring<double>, NoDashpots<double>, TestType>{{force / overlap}, {}, {{1.0}, mu}, {}};
+    };
+    // A slip of ten overlaps: 10 F unlimited.
+    const ContactKinematics<double> slip{{0, 0, 1}, overlap, 10 * overlap * along, 1.0};
+    const auto limited = law(0.5).step(pair, slip, {});
+    CHECK(limited.sliding);
+    // 1e-300 has no more than 54 denormal bits below it; 4 roundings
+    CHECK((limited.force - limited.normal_force * slip.normal + 0.5 * force * along).norm() <= 1e-15 * force);
+    const auto smooth = law(0.0).step(pair, slip, {});
+    CHECK(smooth.sliding);
+    CHECK(smooth.force.x() == 0.0);
+    CHECK(smooth.force.y() == 0.0);
+    const auto rough = law(1e9).step(pair, slip, {});
+    CHECK_FALSE(rough.sliding);
+    CHECK((rough.force - rough.normal_force * slip.normal + 10 * force * along).norm() <= 1e-14 * force);
+    CHECK_FALSE(law(0.5).step(pair, {{0, 0, 1}, overlap, 0.4 * overlap * along, 1.0}, {}).sliding);
+  }
+}
+
+TEMPLATE_TEST_CASE("Shear: accuracy of the friction limit", "", double, float) {
+  using T = TestType;
+  Random random;
+  Worst factor("friction limit" + precision_name<T>());
+  // Down to the normal numbers: a denormal magnitude has too few digits to divide by.
+  const int least = std::numeric_limits<T>::min_exponent, most = std::numeric_limits<T>::max_exponent - 2;
+  for (int i = 0; i < cases(100000); ++i) {
+    const int scale = least + static_cast<int>(random.engine() % static_cast<unsigned>(most - least));
+    const auto component = [&] {
+      const T x = random.binary<T>(std::max(scale - 30, smallest_exponent<T>), scale);
+      return random.chance(0.5) ? x : T(-x);
+    };
+    const Vec3<T> force(component(), component(), random.binary<T>(scale, scale));
+    const T strength = random.binary<T>(std::max(scale - 10, least), scale);
+    const auto computed = detail::friction_limit<T>(force, strength);
+    const Vec3<Binary200> precisely(Binary200(force.x()), Binary200(force.y()), Binary200(force.z()));
+    const auto exact = detail::friction_limit<Binary200>(precisely, Binary200(strength));
+    factor.see(ulps(computed.factor, exact.factor), force.x(), force.y(), force.z(), strength);
+    if (detail::surely_within<T>(force, strength)) CHECK_FALSE(computed.exceeded);
+  }
+  CHECK(factor.error() <= 4.0);  // a norm (3 squares, a root, a scaling) and a quotient
+}
+
+TEST_CASE("Shear: a contact that opens forgets, whatever its history") {
+  const auto forgets = [](auto sheared) {
+    sheared.move(1e-4, 1e-5);
+    sheared.move(-1e-9, 1e-5);
+    CHECK(sheared.move(1e-4, 0.0) == 0.0);
+  };
+  forgets(Sheared<ShearForce<double>>(0.4));
+  forgets(Sheared<ShearForceRescaled<double>>(0.4));
+  forgets(Sheared<ShearDisplacement<double>>(0.4));
+  forgets(Sheared<ShearDisplacementRescaled<double>>(0.4));
+}
+
+}  // namespace contactlaws::test

@@ -1,0 +1,346 @@
+// The kit on our own laws: they keep what they claim, and what they do not promise is found.
+#include "contactlaws/verify/verify.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "catch.hpp"
+#include "contactlaws/contactlaws.hpp"
+#include "verify/any_law.hpp"
+
+using namespace contactlaws;
+using test::any_law, test::AnyLaw;
+using verify::Claims, verify::Options, verify::Report, verify::Verdict;
+
+namespace {
+
+const ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
+const PairProperties<double> pair = pair_properties(sphere(granite, 7.5e-3), sphere(granite, 5e-3));
+
+/// The memo's grains, 10 um deep.
+Options options(const Claims& claims) {
+  Options o;
+  o.radius1 = 7.5e-3;
+  o.radius2 = 5e-3;
+  o.mass1 = sphere_mass(7.5e-3, 2650.0);
+  o.mass2 = sphere_mass(5e-3, 2650.0);
+  o.overlap = 1e-5;
+  o.claims = claims;
+  o.paths = 50;
+  return o;
+}
+
+template <class Law>
+Report check(const Law& law, const Claims& claims, const typename Law::State& first = {}) {
+  return verify::check_all<AnyLaw>(any_law(verify::adapt(law, pair, first)), options(claims));
+}
+
+std::vector<std::string> failures(const Report& report) {
+  std::vector<std::string> names;
+  for (const auto& result : report.results)
+    if (result.verdict == Verdict::fail) names.push_back(result.property);
+  return names;
+}
+using Names = std::vector<std::string>;
+
+/// What every law of ours without a bridge claims.
+Claims claims_of(double friction) {
+  Claims claims;
+  claims.friction = friction;
+  claims.range = 0.0;
+  claims.continuous_at_touch = true;
+  return claims;
+}
+
+}  // namespace
+
+TEST_CASE("The named laws keep what they claim") {
+  Claims claims = claims_of(0.4);
+  claims.continuous_in_motion = true;
+  claims.passive_impacts = true;
+  claims.restitution = 0.7;
+  const double allowed = damping_constant(0.7, Spring::hertz, Tension::allowed);
+  const double clipped = damping_constant(0.7, Spring::hertz, Tension::clipped);
+  CHECK(failures(check(dry_hill<double>({0.4, 0.0, allowed}), claims)) == Names{});
+  claims.no_tension = true;
+  CHECK(failures(check(DryHill<double, Tension::clipped>{{}, {clipped}, {{}, 0.4}, {}}, claims)) == Names{});
+
+  SECTION("Hill, wet: the bridge pulls from the start, and costs energy to break") {
+    const Hill<double> law = hill<double>({0.4, 2e5, 0.07});
+    Hill<double>::State wet{};
+    Hill<double>::make_wet(wet, 0.0, 0.0);
+    Claims sticky = claims_of(0.4);
+    sticky.range = law.interaction_range(pair);
+    const Report report = check(law, sticky, wet);
+    CHECK(failures(report) == Names{});
+    CHECK(report.find("no tension")->verdict == Verdict::not_claimed);
+    sticky.no_tension = true;
+    CHECK(failures(check(law, sticky, wet)) == Names{"no tension"});
+  }
+  SECTION("RoughBallast") {
+    Claims rough = claims_of(0.7);
+    rough.no_tension = rough.continuous_in_motion = rough.passive_impacts = true;
+    const RoughBallast<double> law{
+        PohrtPopovElastoPlastic<double>::of({2.13, 26.1e-6}), {}, {{mindlin_ratio(pair)}, 0.7}, {}};
+    CHECK(failures(check(law, rough)) == Names{});
+  }
+  SECTION("LinearSpringDashpot: its dashpots start with a jump, and it makes no energy") {
+    Claims linear = claims_of(0.4);
+    linear.passive = linear.passive_impacts = linear.no_ratcheting = linear.no_tension = true;
+    linear.restitution = 0.7;
+    LinearSpringDashpot<double, Tension::clipped> law{{1e6}, {}, {{0.6}, 0.4}, {}};
+    law.damping.damping_constant = damping_constant(0.7, Spring::linear, Tension::clipped);
+    CHECK(failures(check(law, linear)) == Names{});
+    linear.continuous_in_motion = true;
+    CHECK(failures(check(law, linear)) == Names{"continuity in motion"});
+  }
+}
+
+namespace {
+
+template <class Shear>
+void check_shear(const Shear& shear, bool passive, bool no_ratcheting, bool follows_twist) {
+  const ContactLaw<Hertz<double>, NoDashpots<double>, Shear> law{{}, {}, shear, {}};
+  Claims claims = claims_of(0.4);
+  claims.no_tension = claims.continuous_in_motion = true;
+  claims.passive = claims.no_ratcheting = claims.follows_twist = true;
+  Names expected;  // what this variant does not promise, and is found to break
+  if (!follows_twist) expected.push_back("rigid twist");
+  if (!no_ratcheting) expected.push_back("ratcheting");
+  if (!passive) expected.push_back("energy on closed loops");
+  INFO(Shear::name);
+  CHECK(failures(check(law, claims)) == expected);
+}
+
+template <template <class, class, class> class Shear>
+void check_history(bool passive, bool no_ratcheting) {
+  using T = double;
+  check_shear(Shear<T, Mindlin<T>, rotation::Project<T>>{{}, 0.4}, passive, no_ratcheting, false);
+  check_shear(Shear<T, Mindlin<T>, rotation::ProjectRestore<T>>{{}, 0.4}, passive, no_ratcheting, false);
+  check_shear(Shear<T, Mindlin<T>, rotation::Rotate<T>>{{}, 0.4}, passive, no_ratcheting, true);
+}
+
+}  // namespace
+
+TEST_CASE("Every shear variant keeps what it promises, and no more") {
+  // Which yield energy on loops: tests/composition/test_energy.cpp, in closed form. A displacement alone comes back after a cycle.
+  check_history<ShearForce>(false, false);
+  check_history<ShearForceRescaled>(true, false);
+  check_history<ShearDisplacement>(false, true);
+  check_history<ShearDisplacementRescaled>(false, false);
+}
+
+TEST_CASE("Restitution is judged to 1e-3") {
+  Claims claims = claims_of(0.0);
+  const DryHill<double> law = dry_hill<double>({0.0, 0.0, damping_constant(0.7, Spring::hertz, Tension::allowed)});
+  for (const double off : {-2e-3, -5e-4, 5e-4, 2e-3}) {
+    claims.restitution = 0.7 + off;
+    CHECK(failures(check(law, claims)).empty() == (std::abs(off) < 1e-3));
+  }
+}
+
+TEST_CASE("Impacts of the kit: gross sliding in closed form, and nothing gained where springs alone act") {
+  // Impulses J_n = m* (1 + e) v_n and J_t = mu J_n; spins R J_t / I, solid spheres.
+  const double friction = 0.3, speed = 0.01, angle = 75 * pi<double>() / 180;
+  const auto law = [](double mu) {
+    return any_law(verify::adapt(LinearSpringDashpot<double>{{1e6}, {}, {{0.6}, mu}, {}}, pair));
+  };
+  const AnyLaw slippery = law(friction), sticky = law(100.0);
+  const verify::Trial<AnyLaw> slides(slippery, options({})), sticks(sticky, options({}));
+  const double m1 = slides.options.mass1, m2 = slides.options.mass2, mass = m1 * m2 / (m1 + m2);
+  const double vn = speed * std::cos(angle), vt = speed * std::sin(angle), jt = friction * 2 * mass * vn;
+  const double moved = (m1 + m2) / 2 * std::pow(m2 * speed / (m1 + m2), 2);  // with the common centre of mass
+  const double relative = mass / 2 * (vn * vn + std::pow(vt - jt / mass, 2)), spins = jt * jt / (2 * 0.4 * mass);
+  const auto impact = verify::detail::collide(slides, speed, angle, 20000);
+  CHECK(impact.energy_before == Approx(m2 / 2 * speed * speed).epsilon(1e-14));
+  // In 20 000 steps, of which the first and the last are off by a half; the line of centres turns by 1e-4.
+  CHECK(impact.energy_after == Approx(moved + relative + spins).epsilon(2e-4));
+  CHECK(impact.rebound == Approx(1.0).epsilon(1e-3));
+  for (const double slanted : {0.3, 0.8, 1.3}) {
+    const auto elastic = verify::detail::collide(sticks, slides.scales.speed(), slanted, 20000);
+    // A spring sheared when the contact opens keeps its energy to itself: none is gained.
+    CHECK(elastic.energy_after <= elastic.energy_before * (1 + 1e-6));
+  }
+}
+
+TEST_CASE("A stiffness is that of loading or of unloading") {
+  const RoughSurface<double> ballast{2.13, 26.1e-6};
+  const ContactLaw<PohrtPopovElastoPlastic<double>> law{PohrtPopovElastoPlastic<double>::of(ballast), {}, {}, {}};
+  AnyLaw max_tangent = any_law(verify::adapt(law, pair));
+  max_tangent.stiffness = [law](const verify::Bodies& b, const AnyLaw::State& values) {
+    const double overlap = b.one.radius + b.two.radius - b.branch().norm();
+    return law.stiffness(pair, overlap, decltype(law)::load(values.data()));
+  };
+  CHECK(failures(verify::check_all(max_tangent, options({}))) == Names{});
+}
+
+TEST_CASE("A law in float is judged by its own rounding") {
+  const ElasticMaterial<float> rock{29e9f, 0.15f, 2650.0f};
+  const auto of_rock = pair_properties(sphere(rock, 7.5e-3f), sphere(rock, 5e-3f));
+  const AnyLaw law = any_law(verify::adapt(dry_hill<float>({0.4f}), of_rock));
+  Options o = options(claims_of(0.4));
+  CHECK_FALSE(verify::check_all(law, o).passed());
+  o.epsilon = std::numeric_limits<float>::epsilon();
+  CHECK(failures(verify::check_all(law, o)) == Names{});
+}
+
+TEST_CASE("A loop that yields energy is reduced to one that our own ledger books the same way") {
+  Claims claims = claims_of(0.4);
+  claims.passive = true;
+  const DryHill<double> law = dry_hill<double>({0.4});
+  const Report report = check(law, claims);
+  REQUIRE(failures(report) == Names{"energy on closed loops"});
+  const verify::Path& path = report.find("energy on closed loops")->path;
+  CHECK(path.size() <= 6);  // close, shear, half open, shear back, open: with one overlap on the way
+  EnergyLedger<double> ledger;
+  DryHill<double>::State state{};
+  for (const auto& motion : verify::refined(path, 64)) {
+    const auto step = law.step(pair, motion, state);
+    ledger.enter(law, pair, motion, step);
+    state = step.state;
+  }
+  CHECK(ledger.stored == 0.0);
+  CHECK(ledger.dissipated() < 0.0);
+}
+
+TEST_CASE("PATH.csv: what is written is read again, bit by bit, and only that") {
+  verify::Random random(7);
+  const verify::Path path = verify::random_path(random, {1e-5, 1.0, 1e-4});
+  std::stringstream file;
+  verify::write_path(file, path);
+  const verify::Path again = verify::read_path(file);
+  REQUIRE(again.size() == path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    CHECK(again[i].dt == path[i].dt);
+    CHECK(again[i].overlap == path[i].overlap);
+    CHECK(again[i].normal == path[i].normal);
+    CHECK(again[i].velocity == path[i].velocity);
+    CHECK(again[i].normal_spin == path[i].normal_spin);
+  }
+  std::istringstream other("x,y\n1,2\n"), broken("dt,overlap,nx,ny,nz,vx,vy,vz,spin\n1,2,3\n");
+  CHECK_THROWS_WITH(verify::read_path(other), ContainsSubstring("x,y"));
+  CHECK_THROWS_WITH(verify::read_path(broken), ContainsSubstring("1,2,3"));
+}
+
+TEST_CASE("The bodies of a path move as it says, and their centres follow their velocities") {
+  verify::Random random(11);
+  const Options o = options({});
+  const verify::Path path = verify::refined(verify::random_path(random, {1e-5, 1.0, 1e-4}), 1000);
+  const verify::Scene scene = verify::staged(path, o);
+  for (std::size_t i = 1; i < scene.size(); ++i) {
+    const auto& [one, two] = scene[i].bodies;
+    const auto motion = contact_kinematics<double>(
+        sphere_sphere<double>(one.position, o.radius1, two.position, o.radius2), {one.position, one.velocity, one.spin},
+        {two.position, two.velocity, two.spin}, scene[i].dt);
+    const double fastest = two.velocity.norm() + 0.0125 * (one.spin.norm() + two.spin.norm());
+    // Overlaps are differences of lengths of 12.5 mm, velocities of parts as large as these: some ten roundings each.
+    CHECK(std::abs(motion.overlap - path[i].overlap) <= 10 * 0.0125 * 2.3e-16);
+    CHECK((motion.velocity - path[i].velocity).norm() <= 20 * fastest * 2.3e-16);
+    // The step's own turn, 5e-5 rad at most, is the error of a straight step.
+    const verify::Vector moved = scene[i].bodies.branch() - scene[i - 1].bodies.branch();
+    CHECK((moved - (two.velocity - one.velocity) * scene[i].dt).norm() <= 1e-4 * moved.norm() + 1e-16);
+  }
+}
+
+TEST_CASE("Options out of range are told by name, value and unit") {
+  const AnyLaw law = any_law(verify::adapt(dry_hill<double>({0.4}), pair));
+  Options wrong = options({});
+  wrong.mass2 = -1.0;
+  CHECK_THROWS_WITH(verify::check_all(law, wrong), "verify::Options: mass2 is -1 kg, must lie in (0, inf)");
+  Options none;
+  CHECK_THROWS_WITH(verify::check_all(law, none), ContainsSubstring("radius1 is 0 m"));
+  AnyLaw nothing = law;
+  nothing.call = [](const verify::Bodies&, double, AnyLaw::State&) {
+    return verify::Interaction{verify::Vector(0, 0, 0), {}, {}, {}};
+  };
+  CHECK_THROWS_WITH(verify::check_all(nothing, options({})), ContainsSubstring("force at the overlap is 0 N"));
+}
+
+TEST_CASE("A report is a line per property, and its failures are files") {
+  const auto folder = std::filesystem::temp_directory_path() / "contactlaws_test_verify";
+  std::filesystem::create_directories(folder);
+  Options o = options({});
+  o.claims.passive = true;
+  o.folder = folder.string();
+  const Report report = verify::check_all(any_law(verify::adapt(dry_hill<double>({0.4}), pair)), o);
+  std::ostringstream text;
+  text << report;
+  const std::string file = (folder / "energy_on_closed_loops.csv").string();
+  CHECK_THAT(text.str(), ContainsSubstring("third law               pass") && ContainsSubstring(file) &&
+                             ContainsSubstring("seed 20190501") && ContainsSubstring("not claimed"));
+  CHECK_FALSE(report.passed());
+  std::ifstream in(file);
+  CHECK(verify::read_path(in).size() == report.find("energy on closed loops")->path.size());
+  std::filesystem::remove_all(folder);
+
+  o.folder = (folder / "not_there").string();
+  CHECK_THROWS_WITH(verify::check_all(any_law(verify::adapt(dry_hill<double>({0.4}), pair)), o),
+                    ContainsSubstring("not_there/energy_on_closed_loops.csv: cannot be written"));
+}
+
+namespace {
+
+/// A law that answers nothing but a force.
+struct ForceAlone {
+  struct State {};
+  verify::Interaction operator()(const verify::Bodies& b, double, State&) const {
+    const verify::Vector branch = b.branch();
+    const double overlap = b.one.radius + b.two.radius - branch.norm();
+    return {verify::Vector(branch.normalized() * (1e6 * positive_part<double>(overlap))), {}, {}, {}};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("What a law does not offer or claim is not called passed") {
+  const Report report = verify::check_all(ForceAlone{}, options({}));
+  CHECK(report.passed());
+  for (const char* name :
+       {"third law", "torque balance", "change of owner", "unit scaling", "restart", "derivative = stiffness"})
+    CHECK(report.find(name)->verdict == Verdict::not_offered);
+  for (const char* name :
+       {"rigid twist", "Coulomb bound", "friction reached", "no tension", "continuity at touch", "continuity in motion",
+        "open contact", "ratcheting", "energy on closed loops", "energy of impacts", "restitution"})
+    CHECK(report.find(name)->verdict == Verdict::not_claimed);
+}
+
+TEST_CASE("An open contact may answer with a force alone, and the rest is judged where it is told") {
+  const auto full = any_law(verify::adapt(dry_hill<double>({0.4}), pair));
+  AnyLaw terse = full;
+  terse.call = [full](const verify::Bodies& b, double dt, AnyLaw::State& state) {
+    const verify::Interaction all = full.call(b, dt, state);
+    return b.branch().norm() < b.one.radius + b.two.radius ? all : verify::Interaction{all.force};
+  };
+  CHECK(failures(verify::check_all(terse, options(claims_of(0.4)))) == Names{});
+  AnyLaw wrong = terse;
+  wrong.call = [terse](const verify::Bodies& b, double dt, AnyLaw::State& state) {
+    verify::Interaction all = terse.call(b, dt, state);
+    if (all.force1) all.force1 = verify::Vector(*all.force1 * 2.0);
+    return all;
+  };
+  CHECK(failures(verify::check_all(wrong, options({}))) == Names{"third law"});
+}
+
+TEST_CASE("A NaN is a failure wherever it is met, and no later number hides it") {
+  verify::Finding finding{0.0, 1.0};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(finding.see(0.5));
+  CHECK(finding.see(nan));
+  CHECK_FALSE(finding.see(2.0));
+  CHECK(finding.failed());
+
+  const auto law = any_law(verify::adapt(dry_hill<double>({0.4}), pair));
+  for (const bool normal : {true, false}) {
+    AnyLaw wrong = law;  // no stiffness is told of the shallow half of the contacts
+    wrong.stiffness = [law, normal, nan](const verify::Bodies& b, const AnyLaw::State& state) {
+      auto told = law.stiffness(b, state);
+      const bool shallow = b.one.radius + b.two.radius - b.branch().norm() < 5e-6;
+      if (shallow) (normal ? told.normal : told.shear) = nan;
+      return told;
+    };
+    CHECK(failures(verify::check_all(wrong, options({}))) == Names{"derivative = stiffness"});
+  }
+}

@@ -1,0 +1,209 @@
+// The kit on a force update with one fault at a time: each is found by the properties that it breaks, and by no other.
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "contactlaws/damping/restitution.hpp"
+#include "contactlaws/verify/verify.hpp"
+#include "random.hpp"
+#include "verify/host_law.hpp"
+
+using namespace contactlaws;
+using test::Fault, test::HostLaw;
+using verify::Options, verify::Path, verify::Report, verify::Result, verify::Vector, verify::Verdict;
+
+namespace {
+
+Options options(bool hertz) {
+  Options o;
+  o.radius1 = 7.5e-3;
+  o.radius2 = 5e-3;
+  o.mass1 = 4.7e-3;
+  o.mass2 = 1.4e-3;
+  o.overlap = 1e-5;
+  o.paths = 50;
+  o.claims.friction = 0.4;
+  o.claims.restitution = 0.7;
+  o.claims.range = 0.0;
+  o.claims.no_tension = o.claims.continuous_at_touch = o.claims.no_ratcheting = o.claims.passive_impacts = true;
+  o.claims.passive = !hertz;  // a displacement history on a stiffness that grows yields energy
+  o.claims.continuous_in_motion = hertz;
+  return o;
+}
+
+HostLaw host_law(Fault fault, bool hertz) {
+  HostLaw law;
+  law.fault = fault;
+  law.hertz = hertz;
+  const Spring spring = hertz ? Spring::hertz : Spring::linear;
+  law.damping = damping_constant(0.7, spring, Tension::clipped);
+  law.unclipped_damping = damping_constant(0.7, spring, Tension::allowed);
+  return law;
+}
+
+Report check(Fault fault, bool hertz) { return verify::check_all(host_law(fault, hertz), options(hertz)); }
+
+std::set<std::string> failures(const Report& report) {
+  std::set<std::string> names;
+  for (const auto& result : report.results)
+    if (result.verdict == Verdict::fail) names.insert(result.property);
+  return names;
+}
+
+struct Case {
+  Fault fault;
+  bool hertz;
+  const char* meant;             ///< the property that is there for this fault
+  std::set<std::string> others;  ///< which it breaks too
+  std::size_t steps;             ///< at most, of the reduced path
+};
+
+const Case cases[] = {
+    {Fault::torque_sign, false, "torque balance", {"swap of the bodies", "energy of impacts"}, 1},
+    {Fault::torque_lever, false, "torque balance", {}, 1},
+    {Fault::reaction, false, "third law", {}, 1},
+    {Fault::not_turned, false, "rigid spin", {"Coulomb bound", "derivative = stiffness"}, 4},
+    {Fault::limit_by_total, false, "Coulomb bound", {"friction reached"}, 4},
+    {Fault::limit_by_magnitude, false, "Coulomb bound", {"no tension", "restitution"}, 4},
+    {Fault::limit_by_component,
+     false,
+     "frame indifference",
+     {"Coulomb bound", "friction reached", "derivative = stiffness", "energy on closed loops"},
+     2},
+    {Fault::without_spin, false, "rigid spin", {"friction reached", "derivative = stiffness", "energy of impacts"}, 4},
+    {Fault::velocity_lever, false, "rigid spin", {"friction reached", "ratcheting"}, 4},
+    {Fault::pulls, false, "no tension", {"restitution"}, 4},
+    {Fault::jump, false, "continuity at touch", {"restitution"}, 1},
+    {Fault::jump, true, "continuity at touch", {"continuity in motion", "restitution"}, 1},
+    {Fault::length_constant, false, "unit scaling", {}, 1},
+    {Fault::own_dt, false, "step-size convergence", {"derivative = stiffness", "energy on closed loops"}, 16},
+    {Fault::shared_state, false, "purity", {"change of owner"}, 4},
+    {Fault::absolute_velocity,
+     false,
+     "Galilean invariance",
+     {"swap of the bodies", "change of owner", "restitution"},
+     1},
+    {Fault::mass_of_one, false, "swap of the bodies", {"change of owner", "restitution"}, 1},
+    {Fault::shear_dashpot_sign, false, "energy on closed loops", {}, 6},
+    {Fault::growing_shear_stiffness, false, "energy on closed loops", {}, 6},
+    {Fault::history_unlimited, false, "energy on closed loops", {}, 6},
+    {Fault::force_history, true, "ratcheting", {}, 9},
+    {Fault::unclipped_formula, false, "restitution", {}, 200},
+    {Fault::stiffness_tangent, true, "derivative = stiffness", {}, 1},
+    {Fault::restart_loses, false, "restart", {}, 4},
+    {Fault::exchange_keeps, false, "change of owner", {}, 4},
+    {Fault::never_forgets, false, "open contact", {}, 4},
+    {Fault::divides_by_overlap, false, "finite force", {}, 1},
+};
+
+/// What the update answers along the path, computed without the kit's judgement.
+std::vector<verify::Interaction> replay(const HostLaw& law, const Path& path) {
+  HostLaw::State state;
+  std::vector<verify::Interaction> all;
+  for (const verify::Moment& m : verify::staged(path, options(law.hertz))) all.push_back(law(m.bodies, m.dt, state));
+  return all;
+}
+
+Path path_of(Fault fault, bool hertz, const char* property) {
+  const Report report = check(fault, hertz);
+  const Result* result = report.find(property);
+  REQUIRE(result->verdict == Verdict::fail);
+  std::stringstream file;  // as a user gets it
+  verify::write_path(file, result->path);
+  return verify::read_path(file);
+}
+
+}  // namespace
+
+TEST_CASE("The update without a fault passes") {
+  for (const bool hertz : {false, true}) CHECK(failures(check(Fault::none, hertz)).empty());
+}
+
+TEST_CASE("Each fault is found by the property that is there for it, on a short path") {
+  for (const Case& c : cases) {
+    CAPTURE(static_cast<int>(c.fault), c.hertz, c.meant);
+    const Report report = check(c.fault, c.hertz);
+    std::set<std::string> expected = c.others;
+    expected.insert(c.meant);
+    CHECK(failures(report) == expected);
+    const std::size_t steps = report.find(c.meant)->path.size();
+    CHECK(steps >= 1);
+    CHECK(steps <= c.steps);
+  }
+}
+
+TEST_CASE("No fault hides behind a seed") {
+  for (std::uint64_t seed = 1; seed <= (test::sanitized ? 1 : 3); ++seed) {
+    const auto seeded = [seed](Fault fault, bool hertz) {
+      Options o = options(hertz);
+      o.seed = seed;
+      return verify::check_all(host_law(fault, hertz), o);
+    };
+    CAPTURE(seed);
+    for (const bool hertz : {false, true}) CHECK(failures(seeded(Fault::none, hertz)).empty());
+    for (const Case& c : cases) {
+      CAPTURE(static_cast<int>(c.fault), c.hertz, c.meant);
+      CHECK(seeded(c.fault, c.hertz).find(c.meant)->verdict == Verdict::fail);
+    }
+  }
+}
+
+TEST_CASE("Reduced paths show the fault when they are replayed") {
+  SECTION("Coulomb bound") {
+    for (const Fault fault : {Fault::limit_by_total, Fault::limit_by_magnitude}) {
+      const Path path = path_of(fault, false, "Coulomb bound");
+      const Vector force = replay(host_law(fault, false), path).back().force, n = path.back().normal;
+      const double pressing = force.dot(n), shear = (force - pressing * n).norm();
+      CHECK(shear > 1.01 * 0.4 * std::max(pressing, 0.0));
+    }
+  }
+  SECTION("no tension") {
+    const Path path = path_of(Fault::pulls, false, "no tension");
+    CHECK(replay(host_law(Fault::pulls, false), path).back().force.dot(path.back().normal) < 0.0);
+    CHECK(replay(host_law(Fault::none, false), path).back().force.dot(path.back().normal) >= 0.0);
+  }
+  SECTION("third law") {
+    const auto answers = replay(host_law(Fault::reaction, false), path_of(Fault::reaction, false, "third law"));
+    CHECK((answers.back().force + *answers.back().force1).norm() > 0.001 * answers.back().force.norm());
+  }
+  SECTION("rigid spin") {
+    const Path path = path_of(Fault::not_turned, false, "rigid spin");
+    // Spring forces: the last step neither slips nor changes the overlap, so that the shear force keeps its length.
+    const Vector n = path.back().normal;
+    const auto shear = [&n](const Vector& force) { return Vector(force - force.dot(n) * n); };
+    CHECK(std::abs(replay(host_law(Fault::not_turned, false), path).back().force.dot(n)) > 0.0);
+    const Vector faulty = replay(host_law(Fault::not_turned, false), path).back().force;
+    const Vector right = replay(host_law(Fault::none, false), path).back().force;
+    CHECK((faulty - right).norm() > 0.01 * shear(right).norm());
+  }
+  SECTION("energy on closed loops") {
+    for (const Fault fault : {Fault::growing_shear_stiffness, Fault::history_unlimited}) {
+      const Path path = verify::refined(path_of(fault, false, "energy on closed loops"), 64);
+      const auto answers = replay(host_law(fault, false), path);
+      double work = 0.0;  // by the trapezoidal rule
+      for (std::size_t i = 1; i < path.size(); ++i)
+        work -= (answers[i].force + answers[i - 1].force).dot(path[i].velocity) * path[i].dt / 2;
+      CHECK(work < 0.0);
+      CHECK(path.back().overlap <= 0.0);
+    }
+  }
+  SECTION("restart") {
+    const HostLaw law = host_law(Fault::restart_loses, false);
+    const Path path = path_of(Fault::restart_loses, false, "restart");
+    HostLaw::State state, restarted;
+    Vector through(0, 0, 0), again(0, 0, 0);
+    for (const verify::Moment& m : verify::staged(path, options(false))) {
+      through = law(m.bodies, m.dt, state).force;
+      restarted = law.load(law.store(restarted));
+      again = law(m.bodies, m.dt, restarted).force;
+    }
+    CHECK(through != again);
+  }
+  SECTION("finite force") {
+    const Path path = path_of(Fault::divides_by_overlap, false, "finite force");
+    CHECK_FALSE(replay(host_law(Fault::divides_by_overlap, false), path).back().force.allFinite());
+  }
+}
