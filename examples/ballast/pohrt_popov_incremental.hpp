@@ -22,9 +22,11 @@ enum class Unloads { elastically, plastically };
 
 template <class T, Unloads unloads = Unloads::plastically>
 struct PohrtPopovIncremental : RoughProfile<T, Power::accurate> {
+  using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
   using Rebind = PohrtPopovIncremental<U, unloads>;
+  static constexpr bool outlives_separation = true;
   static constexpr bool plastic = unloads == Unloads::plastically;
 
   T seed_force = T(0);  ///< the start: a closing contact carries at least this [N]
@@ -57,12 +59,13 @@ struct PohrtPopovIncremental : RoughProfile<T, Power::accurate> {
     const T start = select<T>(closing > T(0), maximum<T>(state.normal_force, seed_force), state.normal_force);
     const T largest = state.largest_force;
     const T slope = stiffness(pair, start, start < largest || closing < T(0));
-    const T force = select<T>(overlap > T(0), positive_part<T>(T(start + slope * closing)), T(0));
+    const T trial = start + slope * closing + T(0) * largest;  // the last term passes a NaN on
+    const T force = select<T>(overlap <= T(0), T(0), positive_part<T>(trial));
     state = {force, maximum<T>(largest, force), overlap};
     const T tangent = stiffness(pair, force, force < largest);
     const T max_tangent = stiffness(pair, force, Mask<T>(true));
-    const T secant = force / select<T>(overlap > T(0), overlap, T(1));
-    return {force, tangent, secant, max_tangent};
+    // Hertz's secant at this force: force/overlap diverges at touch, where the seed force acts on no overlap.
+    return {force, tangent, max_tangent * T(T(2) / T(3)), max_tangent};
   }
 
   /// As if unloading from here along Hertz's curve [J].

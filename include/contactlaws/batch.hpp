@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Many contacts at once: the host's own arrays, one a quantity, stepped by the very kernel of contact_law.hpp on packs.
+// Many contacts at once: the kernel of contact_law.hpp on SIMD packs, one contact a lane. Two ways to pass them:
 //
-// Nothing is copied or allocated; arrays need no alignment and the count no multiple. A quantity that is the same for all
-// contacts (dt, often E*) is given as a number instead of an array. A contact's result depends neither on its lane nor on
-// its neighbours: what is left over at the end is stepped as one more pack, filled up with the last contact.
-// Packs come with adapt/xsimd.hpp; without it a pack is one lane wide.
+//   evaluate(law, batch)                                        the host's arrays, one per quantity (ContactBatch)
+//   evaluate(law, first, last, state, next, gather, scatter)    two functions of the host: gather() computes the kinematics of
+//                                                               a pack from the host's bodies, scatter() stores its forces
+//
+// Nothing is allocated; arrays need no alignment and the count no multiple of the lanes. The result of a contact depends
+// neither on its lane nor on its neighbours: the last contacts are stepped as one more pack, filled up with the last one.
+// Packs come with scalars/xsimd.hpp; without it a pack has one lane. Batches give the bits of the scalar path where nothing
+// is contracted to fused multiply-adds and the law has no power, exponential or sine; of an open contact next to a touching
+// one the sign of a zero may differ.
 #pragma once
 
 #include <array>
@@ -14,19 +19,19 @@
 
 namespace contactlaws {
 
-/// The pack that serves a number: itself, until an adapter says otherwise.
+/// The pack type of a number: the number itself, unless a header of scalars/ specialises it.
 template <class T>
 struct PackOf {
   using type = T;
 };
 
-/// One quantity of every contact: an array of them, or one number for all.
+/// One quantity of every contact: an array, or one number for all.
 template <class T>
 class Column {
  public:
-  Column(const T& same = T(0)) : array_(nullptr), same_(same) {}  // NOLINT: a number stands for a column of it
-  Column(int same) : Column(T(same)) {}                           // NOLINT: a 0 is one, not a null array
-  Column(const T* array) : array_(array), same_(T(0)) {}          // NOLINT: so does an array
+  Column(const T& same = T(0)) : array_(nullptr), same_(same) {}  // NOLINT: implicit, a number serves all contacts
+  Column(int same) : Column(T(same)) {}                           // NOLINT: 0 is a number here, not a null array
+  Column(const T* array) : array_(array), same_(T(0)) {}          // NOLINT: implicit, an array has one number a contact
 
   const T* array() const noexcept { return array_; }  ///< null where one number serves all
   const T& same() const noexcept { return same_; }
@@ -36,7 +41,7 @@ class Column {
   T same_;
 };
 
-/// Contacts of one law, as a structure of arrays. What the law does not read may be left out.
+/// Contacts of one law, as a structure of arrays. Quantities that the law does not read may be left out.
 template <class Law>
 struct ContactBatch {
   using T = typename Law::Scalar;
@@ -48,60 +53,112 @@ struct ContactBatch {
   std::array<Column<T>, 3> velocity;              ///< [m/s]
   Column<T> dt;                                   ///< [s]
   Column<T> normal_spin;                          ///< [rad/s]
+  std::array<Column<T>, 3> relative_spin;         ///< [rad/s]; read where the law has a rolling slot
   std::array<const T*, Law::state_size> state{};  ///< before the step, in the order of Law::state_values()
   std::array<T*, Law::state_size> next{};         ///< after it; may be the same arrays
   std::array<T*, 3> force{};                      ///< on body 2 [N]
+  std::array<T*, 3> couple{};                     ///< on body 2 [N m]; written where the law has a rolling slot
+};
+
+/// What a law needs of a contact, or of a pack of contacts.
+template <class T>
+struct ContactInput {
+  PairProperties<T> pair;
+  ContactKinematics<T> kinematics;
+};
+
+/// The contacts of one pack: number `first` and those that follow it. `full`: every lane has a contact of its own; otherwise the
+/// lanes from `count` on repeat the last contact.
+template <class Pack, bool full>
+class PackRange {
+ public:
+  using Traits = ScalarTraits<Pack>;
+  using Lane = typename Traits::Lane;
+  static constexpr std::size_t lanes = Traits::lanes;
+
+  CONTACTLAWS_HD PackRange(std::size_t first, std::size_t count) noexcept : first_(first), count_(count) {}
+
+  /// The number of the contact in a lane.
+  CONTACTLAWS_HD std::size_t operator[](std::size_t lane) const noexcept {
+    return first_ + (full || lane < count_ ? lane : count_ - 1);
+  }
+  CONTACTLAWS_HD std::size_t first() const noexcept { return first_; }
+  CONTACTLAWS_HD std::size_t count() const noexcept { return full ? lanes : count_; }
+
+  /// From and to an array with one value a contact.
+  CONTACTLAWS_HD Pack load(const Lane* values) const noexcept {
+    if constexpr (full) {
+      return Traits::load(values + first_);
+    } else {
+      std::array<Lane, lanes> filled;
+      for (std::size_t i = 0; i < lanes; ++i) filled[i] = values[(*this)[i]];
+      return Traits::load(filled.data());
+    }
+  }
+  CONTACTLAWS_HD void store(Lane* values, const Pack& x) const noexcept {
+    if constexpr (full) {
+      Traits::store(values + first_, x);
+    } else {
+      std::array<Lane, lanes> filled;
+      Traits::store(filled.data(), x);
+      for (std::size_t i = 0; i < count_; ++i) values[first_ + i] = filled[i];
+    }
+  }
+  CONTACTLAWS_HD Pack load(const Column<Lane>& column) const noexcept {
+    return column.array() != nullptr ? load(column.array()) : Pack(column.same());
+  }
+
+ private:
+  std::size_t first_, count_;
 };
 
 namespace detail {
 
-/// Contacts first .. first + lanes, stepped as one pack; `load` and `save` move a pack from and to an array, `law_of` tells
-/// their law, given what reads a column.
-template <class Pack, class Law, class LawOf, class Load, class Save>
-CONTACTLAWS_HD void evaluate_pack(const LawOf& law_of, const ContactBatch<Law>& batch, const Load& load,
-                                  const Save& save) noexcept {
-  using PackLaw = typename Law::template Rebind<Pack>;
-  const auto column = [&load](const Column<typename Law::Scalar>& c) {
-    return c.array() != nullptr ? load(c.array()) : Pack(c.same());
-  };
-  const auto vector = [&column](const auto& c) { return Vec3<Pack>(column(c[0]), column(c[1]), column(c[2])); };
-  const PairProperties<Pack> pair = batch.pair.template map<Pack>(column);
-  const ContactKinematics<Pack> kinematics{vector(batch.normal), column(batch.overlap), vector(batch.velocity),
-                                           column(batch.dt), column(batch.normal_spin)};
-  std::array<Pack, Law::state_size> state{};
-  for (std::size_t i = 0; i < Law::state_size; ++i) state[i] = load(batch.state[i]);
-  const auto step = law_of(column).step(pair, kinematics, PackLaw::load(state.data()));
-  PackLaw::store(step.state, state.data());
-  for (std::size_t i = 0; i < Law::state_size; ++i) save(batch.next[i], state[i]);
-  save(batch.force[0], step.force.x());
-  save(batch.force[1], step.force.y());
-  save(batch.force[2], step.force.z());
+/// Calls step(range) for every pack of the contacts first .. last.
+template <class Pack, class StepPack>
+CONTACTLAWS_HD void for_each_pack(std::size_t first, std::size_t last, const StepPack& step) noexcept {
+  constexpr std::size_t lanes = ScalarTraits<Pack>::lanes;
+  for (; first + lanes <= last; first += lanes) step(PackRange<Pack, true>(first, lanes));
+  if (first < last) step(PackRange<Pack, false>(first, last - first));
 }
 
-template <class Pack, class Law, class LawOf>
-CONTACTLAWS_HD void evaluate_packs(const LawOf& law_of, const ContactBatch<Law>& batch) noexcept {
-  using T = typename Law::Scalar;
-  using Traits = ScalarTraits<Pack>;
-  constexpr std::size_t lanes = Traits::lanes;
-  std::size_t first = 0;
-  for (; first + lanes <= batch.count; first += lanes)
-    evaluate_pack<Pack>(
-        law_of, batch, [first](const T* values) { return Traits::load(values + first); },
-        [first](T* values, const Pack& x) { Traits::store(values + first, x); });
-  if (first == batch.count) return;
-  const std::size_t left = batch.count - first;
-  evaluate_pack<Pack>(
-      law_of, batch,
-      [first, left](const T* values) {
-        std::array<T, lanes> filled;
-        for (std::size_t i = 0; i < lanes; ++i) filled[i] = values[first + (i < left ? i : left - 1)];
-        return Traits::load(filled.data());
-      },
-      [first, left](T* values, const Pack& x) {
-        std::array<T, lanes> filled;
-        Traits::store(filled.data(), x);
-        for (std::size_t i = 0; i < left; ++i) values[first + i] = filled[i];
-      });
+/// Steps the contacts of one pack.
+template <class Law, class Pack, class Range, class Gather, class Scatter>
+CONTACTLAWS_HD void step_pack(const typename Law::template Rebind<Pack>& law, const Range& range,
+                              const std::array<const typename Law::Scalar*, Law::state_size>& state,
+                              const std::array<typename Law::Scalar*, Law::state_size>& next, const Gather& gather,
+                              const Scatter& scatter) noexcept {
+  using PackLaw = typename Law::template Rebind<Pack>;
+  const auto input = gather(range);
+  std::array<Pack, Law::state_size> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = range.load(state[i]);
+  const auto step = law.step(input.pair, input.kinematics, PackLaw::load(values.data()));
+  PackLaw::store(step.state, values.data());
+  for (std::size_t i = 0; i < values.size(); ++i) range.store(next[i], values[i]);
+  scatter(range, input, step);
+}
+
+/// Steps a batch; law_of(range) returns the law on Pack.
+template <class Law, class Pack, class LawOf>
+CONTACTLAWS_HD void step_batch(const LawOf& law_of, const ContactBatch<Law>& batch) noexcept {
+  constexpr bool rolls = decltype(Law::rolling)::acts;
+  const auto gather = [&batch](const auto& range) {
+    const auto column = [&range](const auto& c) { return range.load(c); };
+    const auto vector = [&column](const auto& c) { return Vec3<Pack>(column(c[0]), column(c[1]), column(c[2])); };
+    ContactInput<Pack> input{batch.pair.template map<Pack>(column),
+                             {vector(batch.normal), column(batch.overlap), vector(batch.velocity), column(batch.dt),
+                              column(batch.normal_spin)}};
+    if constexpr (rolls) input.kinematics.relative_spin = vector(batch.relative_spin);
+    return input;
+  };
+  const auto scatter = [&batch](const auto& range, const auto&, const auto& step) {
+    for (int i = 0; i < 3; ++i) range.store(batch.force[std::size_t(i)], step.force[i]);
+    if constexpr (rolls)
+      for (int i = 0; i < 3; ++i) range.store(batch.couple[std::size_t(i)], step.couple[i]);
+  };
+  for_each_pack<Pack>(0, batch.count, [&](const auto& range) {
+    step_pack<Law, Pack>(law_of(range), range, batch.state, batch.next, gather, scatter);
+  });
 }
 
 }  // namespace detail
@@ -110,16 +167,36 @@ CONTACTLAWS_HD void evaluate_packs(const LawOf& law_of, const ContactBatch<Law>&
 template <class Law, class Pack = typename PackOf<typename Law::Scalar>::type>
 CONTACTLAWS_FLATTEN void evaluate(const Law& law, const ContactBatch<Law>& batch) noexcept {
   const auto pack_law = law.template cast<Pack>();
-  detail::evaluate_packs<Pack>(
+  detail::step_batch<Law, Pack>(
       [&pack_law](const auto&) -> const auto& { return pack_law; }, batch);
 }
 
-/// The same under a law whose parameters are columns too, as in `law.cast<Column<double>>()`: each a number for all
-/// contacts or an array of them (a friction per contact, say). Whoever fills the arrays checks them.
+/// The same with parameters that may differ from contact to contact, as in `law.cast<Column<double>>()`: each a number for
+/// all contacts or an array (of friction coefficients, say). Parameters in arrays are not checked.
 template <class Law, class Pack = typename PackOf<typename Law::Scalar>::type>
 CONTACTLAWS_FLATTEN void evaluate(const typename Law::template Rebind<Column<typename Law::Scalar>>& law,
                                   const ContactBatch<Law>& batch) noexcept {
-  detail::evaluate_packs<Pack>([&law](const auto& column) { return law.template cast<Pack>(column); }, batch);
+  detail::step_batch<Law, Pack>(
+      [&law](const auto& range) { return law.template cast<Pack>([&range](const auto& c) { return range.load(c); }); },
+      batch);
+}
+
+/// Steps contacts first .. last - 1 of a host that keeps bodies instead of contact arrays. For each pack:
+///
+///   gather(range) -> input               a ContactInput<Pack>, or a type that adds members to it, from the host's bodies;
+///                                        range[lane] is the number of the contact
+///   scatter(range, input, step)          stores what the host needs of the Step<Pack, ...>; range.count() lanes count
+///
+/// Both take `const auto& range`, a PackRange. `state` and `next` as in ContactBatch, indexed by the number of the contact.
+template <class Law, class Pack = typename PackOf<typename Law::Scalar>::type, class Gather, class Scatter>
+CONTACTLAWS_FLATTEN void evaluate(const Law& law, std::size_t first, std::size_t last,
+                                  const std::array<const typename Law::Scalar*, Law::state_size>& state,
+                                  const std::array<typename Law::Scalar*, Law::state_size>& next, const Gather& gather,
+                                  const Scatter& scatter) noexcept {
+  const auto pack_law = law.template cast<Pack>();
+  detail::for_each_pack<Pack>(first, last, [&](const auto& range) {
+    detail::step_pack<Law, Pack>(pack_law, range, state, next, gather, scatter);
+  });
 }
 
 }  // namespace contactlaws

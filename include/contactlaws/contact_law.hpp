@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A contact law is four slots: a normal law, dashpots, a shear law, a liquid bridge. Whatever a slot leaves out costs
-// nothing: no byte of state, no operation, no parameter. (Potyondy 2019, Sec. 1.6.)
+// A contact law has five slots: a normal law, dashpots, a shear law, a liquid bridge, rolling resistance. An empty slot costs
+// no byte of state, no operation and no parameter. (Potyondy 2019, Sec. 1.6.)
 //
-//   force on body 2 = (F_n - F_m) n + F_s        F_n surface force, F_m pull of the bridge, F_s shear force
+//   force on body 2 = (F_n - F_m) n + F_s        F_n normal force, F_m pull of the bridge, F_s shear force
 //
-// The one verb is step(): from the pair, the motion and the contact's state to the force and the next state. It is pure
-// (asking twice gives the same answer twice), never throws, allocates nothing.
+// step() computes the force, the couple and the next state from the pair, the motion and the state. It is pure: the same
+// input gives the same output. It never throws and allocates nothing.
+//
+// NaN: a NaN in what a contact reads (overlap, and where it touches velocity, step and state) gives a NaN force. It is never
+// replaced by a number. An open contact does not read its velocity, and its shear history is reset.
 #pragma once
 
 #include <array>
@@ -17,20 +20,21 @@
 #include "contactlaws/bridge/suction_bridge.hpp"
 #include "contactlaws/damping/dashpots.hpp"
 #include "contactlaws/kinematics.hpp"
-#include "contactlaws/pair.hpp"
+#include "contactlaws/rolling/rolling_spring.hpp"
 #include "contactlaws/slot.hpp"
 #include "contactlaws/tangential/incremental_shear.hpp"
 
 namespace contactlaws {
 
-/// What a step yields.
+/// The result of a step.
 template <class T, class State>
 struct Step {
   Vec3<T> force;     ///< on body 2, at the contact point; body 1 gets the opposite [N]
-  State state;       ///< the contact's history after the step
-  T normal_elastic;  ///< normal spring's part, compression > 0 [N]
+  Vec3<T> couple;    ///< on body 2, beside arm x force; body 1 gets the opposite; zero without a rolling law [N m]
+  State state;       ///< history after the step
+  T normal_elastic;  ///< force of the normal spring, compression > 0 [N]
   T normal_force;    ///< normal spring and dashpot, F_n [N]
-  T bridge_force;    ///< the bridge's pull, F_m [N]
+  T bridge_force;    ///< pull of the bridge, F_m [N]
   Mask<T> active;    ///< touching, or bridged
   Mask<T> sliding;   ///< friction limited the shear force
 };
@@ -43,31 +47,52 @@ struct ContactStiffness {
 };
 
 template <class Normal, class Damping = NoDashpots<typename Normal::Scalar>,
-          class Shear = Frictionless<typename Normal::Scalar>, class Bridge = Dry<typename Normal::Scalar>>
+          class Shear = Frictionless<typename Normal::Scalar>, class Bridge = Dry<typename Normal::Scalar>,
+          class Rolling = NoRolling<typename Normal::Scalar>>
 struct ContactLaw {
   using T = typename Normal::Scalar;
   using Scalar = T;
+
+  static_assert(detail::is_slot<Normal, NormalSlot<T>>, "slot 1 of a ContactLaw is a normal law: contactlaws/normal/");
+  static_assert(detail::is_slot<Damping, DampingSlot<T>>,
+                "slot 2 of a ContactLaw is a damping law of the same scalar: contactlaws/damping/");
+  static_assert(detail::is_slot<Shear, ShearSlot<T>>,
+                "slot 3 of a ContactLaw is a shear law of the same scalar: contactlaws/tangential/");
+  static_assert(detail::is_slot<Bridge, BridgeSlot<T>>,
+                "slot 4 of a ContactLaw is a liquid bridge of the same scalar: contactlaws/bridge/");
+  static_assert(detail::is_slot<Rolling, RollingSlot<T>>,
+                "slot 5 of a ContactLaw is a rolling law of the same scalar: contactlaws/rolling/");
+  static_assert(detail::stiffness_fits<Normal, Shear>,
+                "this shear stiffness needs a normal law with a contact radius (Mindlin beside Hertz); "
+                "beside others take ConstantRatio or ElasticRatio");
 
   Normal normal;
   Damping damping;
   Shear shear;
   Bridge bridge;
+  Rolling rolling;
 
-  /// History of one contact: values of T only, trivially copyable, virgin when value-initialised.
-  struct CONTACTLAWS_EMPTY_BASES State : Normal::State, Shear::State, Bridge::State {};
+  /// Whether the normal law may pull.
+  static constexpr bool adheres = detail::adheres<Normal>;
+  /// Whether a host must keep the state of a pair while it is farther apart than interaction_range(). Otherwise it may
+  /// drop the pair: the state of a contact that comes back is new.
+  static constexpr bool outlives_separation = detail::outlives_separation<Normal>;
 
-  /// Name, unit and sign under exchange of the two bodies, of each value of State in its order.
+  /// History of one contact: values of T only, trivially copyable, new when value-initialised.
+  struct CONTACTLAWS_EMPTY_BASES State : Normal::State, Shear::State, Bridge::State, Rolling::State {};
+
+  /// Name, unit, kind and sign under exchange of the two bodies, of each value of State in its order.
   static constexpr auto state_values() {
-    return concatenate(concatenate(Normal::state_values(), Shear::state_values()), Bridge::state_values());
+    return concatenate(concatenate(concatenate(Normal::state_values(), Shear::state_values()), Bridge::state_values()),
+                       Rolling::state_values());
   }
-  static constexpr std::size_t state_size =
-      Normal::state_values().size() + Shear::state_values().size() + Bridge::state_values().size();
+  static constexpr std::size_t state_size = state_values().size();
   static_assert(state_size == 0 || sizeof(State) == state_size * sizeof(T), "a State holds values of T only");
 
-  /// What value i of the state is multiplied by when bodies 1 and 2 swap places: -1 for vectors, +1 for scalars.
+  /// Factor of value i of the state when bodies 1 and 2 are swapped.
   static constexpr int exchange_sign(std::size_t i) { return state_values()[i].exchange_sign; }
 
-  /// A state as the host keeps it, and back: state_size values of T.
+  /// A state as state_size values of T, and back.
   CONTACTLAWS_HD static void store(const State& state, T* values) noexcept {
     if constexpr (state_size > 0) std::memcpy(static_cast<void*>(values), &state, sizeof(State));
   }
@@ -77,17 +102,24 @@ struct ContactLaw {
     return state;
   }
 
-  /// Force on body 2 and the next state.
+  /// Force and couple on body 2, and the next state.
   CONTACTLAWS_HD Step<T, State> step(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
                                      const State& state) const noexcept {
-    Step<T, State> result{Vec3<T>(T(0), T(0), T(0)),  state,         T(0), T(0), T(0),
-                          kinematics.overlap >= T(0), Mask<T>(false)};
-    const Mask<T> touching = kinematics.overlap > T(0);
+    Step<T, State> result{Vec3<T>(T(0), T(0), T(0)),
+                          Vec3<T>(T(0), T(0), T(0)),
+                          state,
+                          T(0),
+                          T(0),
+                          T(0),
+                          !(kinematics.overlap < T(0)),
+                          Mask<T>(false)};
+    const Mask<T> touching = touches(state, pair, kinematics.overlap);
+    if constexpr (adheres) result.active = result.active || touching;
     if (any<T>(touching)) {
-      close_contact(pair, kinematics, result);
+      close_contact(pair, kinematics, touching, result);
       if constexpr (!std::is_same_v<Mask<T>, bool>) mask_open_lanes(!touching, result);
     } else {
-      open_contact(pair, result.state);
+      open_contact(pair, kinematics.overlap, result.state);
     }
     if constexpr (Bridge::acts) {
       const BridgeResponse<T> pull = bridge.respond(result.state, pair, kinematics.overlap);
@@ -98,14 +130,23 @@ struct ContactLaw {
     return result;
   }
 
-  /// Largest gap across which a contact can act [m]: how far a neighbour list must reach beyond touch.
-  CONTACTLAWS_HD T interaction_range(const PairProperties<T>& pair) const noexcept { return bridge.range(pair); }
+  /// Largest gap across which a contact may act [m]: a neighbour list must reach this far beyond touch.
+  CONTACTLAWS_HD T interaction_range(const PairProperties<T>& pair) const noexcept {
+    T range = bridge.range(pair);
+    if constexpr (adheres) range = maximum<T>(range, normal.range(pair));
+    return range;
+  }
 
-  /// Stiffnesses for the time step (Potyondy 2019, Eqs 19-21); a bridged gap counts as an overlap of 2e-4 R_o.
+  /// Stiffnesses for the time step (Potyondy 2019, Eqs 19-21). A bridged gap counts as an overlap of 2e-4 R_o; an open contact
+  /// without a bridge has none.
   CONTACTLAWS_HD ContactStiffness<T> stiffness(const PairProperties<T>& pair, const T& overlap,
                                                const State& state) const noexcept {
+    T counted = normal_overlap(overlap);
+    if constexpr (Bridge::acts) {
+      const Mask<T> bridged = overlap <= T(0) && Bridge::is_wet(state);
+      counted = select<T>(bridged, T(pair.min_radius * T(2) / T(10000)), counted);
+    }
     State scratch = state;
-    const T counted = select<T>(overlap > T(0), overlap, T(pair.min_radius * T(2) / T(10000)));
     auto response = normal.respond(scratch, pair, counted);
     response.stiffness = response.max_tangent;
     const T factor = damping.stiffness_factor();
@@ -118,17 +159,19 @@ struct ContactLaw {
 
   /// Energy stored in springs and bridge [J], of a state that step() returned at this overlap.
   CONTACTLAWS_HD T stored_energy(const PairProperties<T>& pair, const T& overlap, const State& state) const noexcept {
-    const T closed = positive_part<T>(overlap);
+    const T closed = normal_overlap(overlap);
     T total = normal.energy(state, pair, closed);
-    if constexpr (Shear::acts) {
+    if constexpr (Shear::acts || Rolling::acts) {
       State scratch = state;
-      total = total + shear.energy(state, shear.stiffness(pair, normal.respond(scratch, pair, closed)));
+      const auto response = normal.respond(scratch, pair, closed);
+      if constexpr (Shear::acts) total = total + shear.energy(state, shear.stiffness(pair, response));
+      if constexpr (Rolling::acts) total = total + rolling.energy(state, pair, response.stiffness);
     }
     if constexpr (Bridge::acts) total = total + bridge.energy(state, pair, overlap);
     return total;
   }
 
-  /// Wets the contact where its gap is at most `moisture_gap` [m]; dries it. Forces follow with the next step.
+  /// Wets the contact where its gap is at most `moisture_gap` [m]; dries it. The next step computes the force.
   CONTACTLAWS_HD static void make_wet(State& state, const T& overlap, const T& moisture_gap) noexcept {
     static_assert(Bridge::acts, "make_wet needs a law with a bridge");
     Bridge::make_wet(state, overlap, moisture_gap);
@@ -138,63 +181,118 @@ struct ContactLaw {
     Bridge::make_dry(state);
   }
 
-  std::tuple<const Normal&, const Damping&, const Shear&, const Bridge&> slots() const {
-    return {normal, damping, shear, bridge};
+  std::tuple<const Normal&, const Damping&, const Shear&, const Bridge&, const Rolling&> slots() const {
+    return {normal, damping, shear, bridge, rolling};
   }
 
   /// The same law on another scalar: float, a pack, a number of 200 bits.
   template <class U>
   using Rebind = ContactLaw<typename Normal::template Rebind<U>, typename Damping::template Rebind<U>,
-                            typename Shear::template Rebind<U>, typename Bridge::template Rebind<U>>;
+                            typename Shear::template Rebind<U>, typename Bridge::template Rebind<U>,
+                            typename Rolling::template Rebind<U>>;
   template <class U>
   CONTACTLAWS_HD Rebind<U> cast() const {
     return cast<U>([](const T& x) { return scalar_cast<U>(x); });
   }
-  /// Each parameter as `convert` makes it.
+  /// Each parameter converted by `convert`.
   template <class U, class Convert>
   CONTACTLAWS_HD Rebind<U> cast(const Convert& convert) const {
     return {slot_cast<U>(normal, convert), slot_cast<U>(damping, convert), slot_cast<U>(shear, convert),
-            slot_cast<U>(bridge, convert)};
+            slot_cast<U>(bridge, convert), slot_cast<U>(rolling, convert)};
   }
 
  private:
+  CONTACTLAWS_HD Mask<T> touches(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
+    if constexpr (adheres) {
+      return normal.touches(state, pair, overlap);
+    } else {
+      return !(overlap <= T(0));
+    }
+  }
+  /// The overlap that the normal law receives.
+  CONTACTLAWS_HD static T normal_overlap(const T& overlap) noexcept {
+    if constexpr (adheres) {
+      return overlap;
+    } else {
+      return positive_part<T>(overlap);
+    }
+  }
+
   CONTACTLAWS_HD void close_contact(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
-                                    Step<T, State>& result) const noexcept {
-    const auto response = normal.respond(result.state, pair, positive_part<T>(kinematics.overlap));
+                                    const Mask<T>& touching, Step<T, State>& result) const noexcept {
+    T overlap = kinematics.overlap;
+    if constexpr (!std::is_same_v<Mask<T>, bool>) overlap = normal_overlap(overlap);  // some lanes may be open
+    const auto response = normal.respond(result.state, pair, overlap);
     T shear_stiffness = T(0);
     if constexpr (Shear::acts) shear_stiffness = shear.stiffness(pair, response);
     const DampingCoefficients<T> dashpot = damping.coefficients(pair.effective_mass, response.secant, shear_stiffness);
 
     const T separating = dot<T>(kinematics.velocity, kinematics.normal);
     result.normal_elastic = response.force;
-    result.normal_force = damping.normal_force(response.force, dashpot.normal, separating);
+    T load;  // what presses the surfaces together: of an adhesive law, the contact pressure's sum
+    if constexpr (adheres) {
+      load = damping.normal_force(T(response.force + response.adhesion), dashpot.normal, separating);
+      result.normal_force = load - response.adhesion;
+    } else {
+      load = result.normal_force = damping.normal_force(response.force, dashpot.normal, separating);
+    }
     result.force = kinematics.normal * result.normal_force;
     if constexpr (Shear::acts) {
-      const ShearInput<T> input{kinematics, Vec3<T>(kinematics.velocity - kinematics.normal * separating),
-                                shear_stiffness, dashpot.shear, positive_part<T>(result.normal_force)};
-      const ShearResponse<T> sheared = shear.template respond<Damping::acts>(result.state, input);
+      const ShearInput<T> input{kinematics,
+                                Vec3<T>(kinematics.velocity - kinematics.normal * separating),
+                                shear_stiffness,
+                                dashpot.shear,
+                                positive_part<T>(load),
+                                touching};
+      const ShearResponse<T> sheared = shear.template respond<Damping::damps_shear>(result.state, input);
       result.force = result.force + sheared.force;
       result.sliding = sheared.sliding;
     }
+    if constexpr (Rolling::acts) {
+      const RollingInput<T> input{pair, kinematics, response.stiffness, positive_part<T>(load)};
+      result.couple = rolling.respond(result.state, input);
+    }
   }
 
-  /// What an open contact keeps: the normal law says, shear forgets.
-  CONTACTLAWS_HD void open_contact(const PairProperties<T>& pair, State& state) const noexcept {
-    normal.respond(state, pair, T(0));
-    static_cast<typename Shear::State&>(state) = typename Shear::State{};
+  /// Open contact: the history is reset, except that of a normal law that outlives separation.
+  CONTACTLAWS_HD void open_contact(const PairProperties<T>& pair, const T& overlap, State& state) const noexcept {
+    if constexpr (outlives_separation) {
+      normal.respond(state, pair, adheres ? overlap : T(0));
+    } else {
+      reset<Normal>(state);
+    }
+    reset<Shear>(state);
+    reset<Rolling>(state);
+  }
+  template <class Slot>
+  CONTACTLAWS_HD static void reset(State& state) noexcept {
+    if constexpr (Slot::state_values().size() > 0) static_cast<typename Slot::State&>(state) = typename Slot::State{};
   }
 
-  /// The same for the open lanes of a pack in which others touch; the normal law has seen them.
+  /// The same for the open lanes of a pack in which other lanes touch.
   CONTACTLAWS_HD static void mask_open_lanes(const Mask<T>& open, Step<T, State>& result) noexcept {
     if (!any<T>(open)) return;
+    const auto clear = [&open](Vec3<T>& v) {
+      for (int i = 0; i < 3; ++i) v[i] = select<T>(open, T(0), v[i]);
+    };
     result.sliding = result.sliding && !open;
-    result.force = result.force * select<T>(open, T(0), T(1));
-    if constexpr (Shear::acts) {
-      typename Shear::State& shear_state = result.state;
-      T values[Shear::state_values().size()];
-      std::memcpy(values, &shear_state, sizeof(values));
-      for (T& value : values) value = select<T>(open, T(0), value);
-      std::memcpy(&shear_state, values, sizeof(values));
+    result.normal_elastic = select<T>(open, T(0), result.normal_elastic);
+    result.normal_force = select<T>(open, T(0), result.normal_force);
+    clear(result.force);
+    if constexpr (Rolling::acts) clear(result.couple);
+    if constexpr (!outlives_separation) reset<Normal>(open, result.state);
+    reset<Shear>(open, result.state);
+    reset<Rolling>(open, result.state);
+  }
+  /// The state of a slot set to that of a new contact in some lanes.
+  template <class Slot>
+  CONTACTLAWS_HD static void reset(const Mask<T>& lanes, State& state) noexcept {
+    if constexpr (Slot::state_values().size() > 0) {
+      typename Slot::State& of_slot = state;
+      T values[Slot::state_values().size()];
+      std::memcpy(values, &of_slot, sizeof(values));
+      for (T& value : values) value = select<T>(lanes, T(0), value);
+      std::memcpy(static_cast<void*>(&of_slot), values, sizeof(values));
     }
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How two bodies meet: the one sign convention of the library, and the kinematics that a law asks for.
+// The contact of two bodies: the sign convention of the whole library, and the motion that a law needs.
 //
 //            body 1                  body 2
 //         .---------.             .---------.
@@ -10,6 +10,7 @@
 //
 //      velocity = v2 - v1 at xc:  velocity.n > 0 is separating
 //      force    acts on body 2 at xc (body 1 gets the opposite): compression pushes body 2 along +n
+//      couple   acts on body 2 (body 1 gets the opposite), from the relative spin w2 - w1
 //
 // SI units: m, kg, s, N, Pa. (Potyondy 2019, Eqs 3-6.)
 #pragma once
@@ -18,25 +19,27 @@
 
 namespace contactlaws {
 
-/// What a law is told of the motion at each step.
+/// The motion of a contact over one step: the input of a law.
 template <class T>
 struct ContactKinematics {
   Vec3<T> normal;        ///< unit normal from body 1 to body 2
   T overlap;             ///< [m], negative across a gap
   Vec3<T> velocity;      ///< of body 2 relative to body 1 at the contact point [m/s]
   T dt;                  ///< time since the last step [s]
-  T normal_spin = T(0);  ///< mean of the two bodies' spins about the normal [rad/s]; read by rotation::Rotate alone
+  T normal_spin = T(0);  ///< mean of the two spins, along the normal [rad/s]; read by rotation::Rotate
+  Vec3<T> relative_spin = Vec3<T>(T(0), T(0), T(0));  ///< w2 - w1 [rad/s]; read by rolling laws
 
   template <class U>
   CONTACTLAWS_HD ContactKinematics<U> cast() const {
     const auto vector = [](const Vec3<T>& v) {
       return Vec3<U>(scalar_cast<U>(v.x()), scalar_cast<U>(v.y()), scalar_cast<U>(v.z()));
     };
-    return {vector(normal), scalar_cast<U>(overlap), vector(velocity), scalar_cast<U>(dt), scalar_cast<U>(normal_spin)};
+    return {vector(normal),     scalar_cast<U>(overlap),     vector(velocity),
+            scalar_cast<U>(dt), scalar_cast<U>(normal_spin), vector(relative_spin)};
   }
 };
 
-/// A body's motion, as a host stores it.
+/// The motion of a body, as a host stores it.
 template <class T>
 struct BodyMotion {
   Vec3<T> position;  ///< of the centre [m]
@@ -44,7 +47,7 @@ struct BodyMotion {
   Vec3<T> spin;      ///< [rad/s]
 };
 
-/// A contact's place: normal, overlap, and the arms from the two centres to the contact point.
+/// The geometry of a contact: normal, overlap, and the arms from the two centres to the contact point.
 template <class T>
 struct ContactGeometry {
   Vec3<T> normal;
@@ -55,8 +58,8 @@ struct ContactGeometry {
 
 /// Two spheres. The centres must differ.
 template <class T>
-CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Vec3<T>& x1, const T& radius1, const Vec3<T>& x2,
-                                                const T& radius2) noexcept {
+CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Vec3<T>& x1, const NonDeduced<T>& radius1, const Vec3<T>& x2,
+                                                const NonDeduced<T>& radius2) noexcept {
   const Vec3<T> branch = x2 - x1;
   const T distance = norm<T>(branch);
   const Vec3<T> normal = branch / distance;
@@ -64,11 +67,18 @@ CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Vec3<T>& x1, const T& radi
   const T half = overlap / T(2);
   return {normal, overlap, normal * (radius1 - half), normal * (half - radius2)};
 }
+/// The same for vector expressions.
+template <class X1, class X2, class T = typename X1::Scalar>
+CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Eigen::MatrixBase<X1>& x1, const typename X1::Scalar& radius1,
+                                                const Eigen::MatrixBase<X2>& x2,
+                                                const typename X1::Scalar& radius2) noexcept {
+  return sphere_sphere<T>(Vec3<T>(x1), radius1, Vec3<T>(x2), radius2);
+}
 
-/// A plane (body 1: through `point`, facing along the unit vector `facing`; its arm runs from `point`) and a sphere.
+/// A plane (body 1: through `point`, facing along the unit vector `facing`; its arm starts at `point`) and a sphere.
 template <class T>
 CONTACTLAWS_HD ContactGeometry<T> plane_sphere(const Vec3<T>& point, const Vec3<T>& facing, const Vec3<T>& x2,
-                                               const T& radius2) noexcept {
+                                               const NonDeduced<T>& radius2) noexcept {
   const Vec3<T> from_point = x2 - point;
   const T overlap = radius2 - dot<T>(from_point, facing);
   const Vec3<T> arm2 = facing * (overlap / T(2) - radius2);
@@ -82,13 +92,14 @@ CONTACTLAWS_HD ContactKinematics<T> contact_kinematics(const ContactGeometry<T>&
   const Vec3<T> at1 = body1.velocity + body1.spin.cross(geometry.arm1);
   const Vec3<T> at2 = body2.velocity + body2.spin.cross(geometry.arm2);
   const Vec3<T> both_spins = body1.spin + body2.spin;
-  return {geometry.normal, geometry.overlap, at2 - at1, dt, dot<T>(both_spins, geometry.normal) / T(2)};
+  return {geometry.normal,        geometry.overlap, at2 - at1, dt, dot<T>(both_spins, geometry.normal) / T(2),
+          body2.spin - body1.spin};
 }
 
-/// A motion measured half a step ago (leapfrog: velocities live between positions), brought to the contact plane of now:
-/// turned as the normal turned since. `centres` is the velocity of centre 2 relative to centre 1 [m/s], `distance` theirs
-/// [m]. Unturned, a part of the normal velocity would pass for sliding, and in a grain that vibrates at a slant it adds up.
-/// (Vyas et al. 2025, doi 10.1016/j.cpc.2025.109524, trace small grains that stick to large ones to that.)
+/// Leapfrog velocities belong to half a step before the positions. This turns such a velocity by half a step's turn of the
+/// normal, into the contact plane of the positions. Without the turn, a part of the normal velocity counts as slip; for a
+/// vibrating grain it accumulates (Vyas et al. 2025, doi 10.1016/j.cpc.2025.109524). First order in the angle of turn.
+/// `centres` is the velocity of centre 2 relative to centre 1 [m/s], `distance` that of the centres [m].
 template <class T>
 CONTACTLAWS_HD ContactKinematics<T> at_full_step(const ContactKinematics<T>& motion, const Vec3<T>& centres,
                                                  const T& distance) noexcept {
@@ -97,7 +108,7 @@ CONTACTLAWS_HD ContactKinematics<T> at_full_step(const ContactKinematics<T>& mot
   const T half = motion.dt / (T(2) * distance);
   const Vec3<T> turn = (centres - n * dot<T>(n, centres)) * half;  // of the normal, in half a step
   const Vec3<T> velocity = v + turn * dot<T>(n, v) - n * dot<T>(turn, v);
-  return {n, motion.overlap, velocity, motion.dt, motion.normal_spin};
+  return {n, motion.overlap, velocity, motion.dt, motion.normal_spin, motion.relative_spin};
 }
 
 }  // namespace contactlaws

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Ready-made laws: the compositions that scenes ask for, and the memo's properties for the hill law.
+// Ready-made laws, each with a maker that checks its parameters. Parameters are assigned by name:
+//
+//   HillProperties<double> properties;
+//   properties.friction = 0.4;
+//   properties.suction = 200e3;
+//   const auto law = hill(properties);
+//
+// A maker throws std::invalid_argument naming the parameter, its value, unit and range.
 #pragma once
 
 #include "contactlaws/contact_law.hpp"
 #include "contactlaws/core/validate.hpp"
+#include "contactlaws/normal/dmt.hpp"
 #include "contactlaws/normal/hertz.hpp"
 #include "contactlaws/normal/linear.hpp"
 #include "contactlaws/normal/pohrt_popov.hpp"
@@ -18,7 +26,7 @@ using SmoothHertz = ContactLaw<Hertz<T>>;
 template <class T, Tension tension = Tension::allowed>
 using DryHill = ContactLaw<Hertz<T>, Dashpots<T, tension>, ShearForce<T>>;
 
-/// The hill law: DryHill and a liquid bridge (Potyondy 2019). State: the shear force and the moisture state.
+/// The hill law: DryHill and a liquid bridge (Potyondy 2019). State: the shear force and the moisture.
 template <class T, Tension tension = Tension::allowed>
 using Hill = ContactLaw<Hertz<T>, Dashpots<T, tension>, ShearForce<T>, SuctionBridge<T>>;
 
@@ -35,37 +43,100 @@ using LinearSpringDashpot = ContactLaw<LinearSpring<T>, Dashpots<T, tension>, Sh
 template <class T>
 using RoughBallast = ContactLaw<PohrtPopovElastoPlastic<T>, NoDashpots<T>, ShearForce<T, ConstantRatio<T>>>;
 
-/// Properties of the hill law, with the memo's ranges and defaults (Potyondy 2019, Table 5).
-template <class T>
-struct HillProperties {
-  T friction = T(0);          ///< mu [1]
-  T suction = T(0);           ///< psi [Pa]
-  T damping_constant = T(0);  ///< alpha_h [1]
-
-  static constexpr const char* name = "HillProperties";
-  static constexpr std::array<Parameter<HillProperties, T>, 3> parameters() {
-    return {{{"friction", "1", &HillProperties::friction, Range::not_negative()},
-             {"suction", "Pa", &HillProperties::suction, Range::not_negative()},
-             {"damping_constant", "1", &HillProperties::damping_constant, Range::closed(0.0, 1.0)}}};
-  }
+/// First member of the properties: a list of numbers in braces does not compile, so none can land in the wrong place.
+struct ByName {
+  explicit ByName() = default;
 };
 
-/// The hill law. @throws std::invalid_argument naming the property out of range
 template <class T>
-Hill<T> hill(const HillProperties<T>& properties) {
-  checked(properties);
-  Hill<T> law;
-  law.shear.friction = properties.friction;
-  law.bridge.suction = properties.suction;
-  law.damping.damping_constant = properties.damping_constant;
-  return law;
+struct DryHillProperties {
+  ByName by_name = ByName();
+  T friction = T(0);          ///< mu [1]
+  T damping_constant = T(0);  ///< alpha [1]; from a coefficient of restitution: damping_constant()
+};
+
+template <class T>
+struct HillProperties {
+  ByName by_name = ByName();
+  T friction = T(0);          ///< mu [1]
+  T suction = T(0);           ///< psi [Pa]
+  T damping_constant = T(0);  ///< alpha [1]; from a coefficient of restitution: damping_constant()
+};
+
+template <class T>
+struct LinearFrictionProperties {
+  ByName by_name = ByName();
+  T modulus = T(0);          ///< effective modulus E [Pa]
+  T friction = T(0);         ///< mu [1]
+  T stiffness_ratio = T(1);  ///< k_s / k_n [1], the inverse of kappa
+};
+
+template <class T>
+struct LinearSpringDashpotProperties {
+  ByName by_name = ByName();
+  T normal_stiffness = T(0);  ///< k_n [N/m]
+  T friction = T(0);          ///< mu [1]
+  T stiffness_ratio = T(1);   ///< k_s / k_n [1]
+  T damping_constant = T(0);  ///< alpha [1]; from a coefficient of restitution: damping_constant()
+};
+
+template <class T>
+struct RoughBallastProperties {
+  ByName by_name = ByName();
+  T fractal_dimension = T(0);  ///< D_f [1]
+  T roughness = T(0);          ///< h [m]
+  T friction = T(0);           ///< mu [1]
+  T stiffness_ratio = T(1);    ///< k_s / k_n [1]; Mindlin's: mindlin_ratio(pair)
+};
+
+template <class T>
+SmoothHertz<T> smooth_hertz() {
+  return {};
 }
 
-/// The hill law that is never wet. @throws std::invalid_argument naming the property out of range
+template <Tension tension = Tension::allowed, class T>
+DryHill<T, tension> dry_hill(const DryHillProperties<T>& properties) {
+  DryHill<T, tension> law;
+  law.damping.damping_constant = properties.damping_constant;
+  law.shear.friction = properties.friction;
+  return checked(law);
+}
+
+template <Tension tension = Tension::allowed, class T>
+Hill<T, tension> hill(const HillProperties<T>& properties) {
+  Hill<T, tension> law;
+  law.damping.damping_constant = properties.damping_constant;
+  law.shear.friction = properties.friction;
+  law.bridge.suction = properties.suction;
+  return checked(law);
+}
+
 template <class T>
-DryHill<T> dry_hill(const HillProperties<T>& properties) {
-  const Hill<T> wet = hill(properties);
-  return {wet.normal, wet.damping, wet.shear, {}};
+LinearFriction<T> linear_friction(const LinearFrictionProperties<T>& properties) {
+  LinearFriction<T> law;
+  law.normal.modulus = properties.modulus;
+  law.shear.friction = properties.friction;
+  law.shear.ratio = properties.stiffness_ratio;
+  return checked(law);
+}
+
+template <Tension tension = Tension::allowed, class T>
+LinearSpringDashpot<T, tension> linear_spring_dashpot(const LinearSpringDashpotProperties<T>& properties) {
+  LinearSpringDashpot<T, tension> law;
+  law.normal.normal_stiffness = properties.normal_stiffness;
+  law.damping.damping_constant = properties.damping_constant;
+  law.shear.friction = properties.friction;
+  law.shear.ratio = properties.stiffness_ratio;
+  return checked(law);
+}
+
+template <class T>
+RoughBallast<T> rough_ballast(const RoughBallastProperties<T>& properties) {
+  RoughBallast<T> law;
+  law.normal = PohrtPopovElastoPlastic<T>::of({properties.fractal_dimension, properties.roughness});
+  law.shear.friction = properties.friction;
+  law.shear.ratio = properties.stiffness_ratio;
+  return checked(law);
 }
 
 }  // namespace contactlaws

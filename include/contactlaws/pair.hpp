@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// From materials and shapes to the effective properties of a pair, once per pair (Potyondy 2019, Table 4):
+// Effective properties of a pair of bodies, computed once per pair from materials, shapes and masses
+// (Potyondy 2019, Table 4):
 //
 //   1/R* = c1 + c2                    c = 1/R, 0 for a plane, negative for a concave wall
-//   1/E* = sum (1 - nu^2) / E         0 for a rigid side
+//   1/E* = sum (1 - nu^2) / E         0 for a rigid body
 //   1/G* = sum 2 (2 - nu)(1 + nu) / E
-//   1/m* = sum 1/m                    0 for a fixed side
+//   1/m* = sum 1/m                    0 for a fixed body
+//
+// Domain: linear elastic isotropic materials; surfaces that do not conform (1/R* > 0).
+// Error: R* <= 4 ULP, E* and G* <= 6, m* <= 9 (tests/composition/test_pair.cpp).
 #pragma once
 
 #include <array>
@@ -30,7 +34,7 @@ struct ElasticMaterial {
   }
 };
 
-/// What a law is told of a pair of bodies.
+/// The properties of a pair of bodies that a law needs.
 template <class T>
 struct PairProperties {
   T effective_radius;  ///<  R* [m]
@@ -40,7 +44,7 @@ struct PairProperties {
   T min_radius;        ///< R_o, of the smaller body [m]
   T length;            ///< L = R1 + R2, the distance of the centres at touch; a wall adds nothing [m]
 
-  /// The same properties, each as `convert` makes it: rounded to a float, loaded into a pack.
+  /// The same properties, each converted by `convert`: rounded to float, loaded into a pack.
   template <class U, class Convert>
   CONTACTLAWS_HD PairProperties<U> map(const Convert& convert) const {
     return {convert(effective_radius), convert(effective_young), convert(effective_shear),
@@ -52,7 +56,7 @@ struct PairProperties {
   }
 };
 
-/// One side of a contact: make it with sphere(), plane() or spherical_cup(), then perhaps `.rigid()` or `.fixed()`.
+/// One body of a contact, made by sphere(), plane() or spherical_cup(), then perhaps `.rigid()` or `.fixed()`.
 template <class T>
 struct ContactBody {
   T curvature;          ///< [1/m]
@@ -61,11 +65,11 @@ struct ContactBody {
   T normal_compliance;  ///< (1 - nu^2) / E [1/Pa]
   T shear_compliance;   ///< 2 (2 - nu)(1 + nu) / E [1/Pa]
 
-  /// The same side, undeformable.
+  /// The same body, undeformable.
   ContactBody rigid() const { return {curvature, radius, inverse_mass, T(0), T(0)}; }
-  /// The same side, held in space.
+  /// The same body, held in space.
   ContactBody fixed() const { return {curvature, radius, T(0), normal_compliance, shear_compliance}; }
-  /// The same side as part of a body of this mass [kg]. @throws std::invalid_argument unless mass > 0
+  /// The same surface on a body of this mass [kg]. @throws std::invalid_argument unless mass > 0
   ContactBody with_mass(const T& mass) const {
     require_in(Range::positive(), static_cast<double>(mass), "ContactBody", "mass", "kg");
     return {curvature, radius, T(1) / mass, normal_compliance, shear_compliance};
@@ -92,7 +96,7 @@ T sphere_mass(const T& radius, const T& density) {
 
 /// A sphere of this material. @throws std::invalid_argument unless the radius [m] is positive and finite
 template <class T>
-ContactBody<T> sphere(const ElasticMaterial<T>& material, const T& radius) {
+ContactBody<T> sphere(const ElasticMaterial<T>& material, const NonDeduced<T>& radius) {
   require_in(Range::positive(), static_cast<double>(radius), "sphere", "radius", "m");
   return detail::body_of_material<T>(material, T(1) / radius, radius, T(1) / sphere_mass<T>(radius, material.density));
 }
@@ -105,12 +109,12 @@ ContactBody<T> plane(const ElasticMaterial<T>& material) {
 
 /// The inside of a spherical wall, held in space. @throws std::invalid_argument unless the radius [m] is positive
 template <class T>
-ContactBody<T> spherical_cup(const ElasticMaterial<T>& material, const T& radius) {
+ContactBody<T> spherical_cup(const ElasticMaterial<T>& material, const NonDeduced<T>& radius) {
   require_in(Range::positive(), static_cast<double>(radius), "spherical_cup", "radius", "m");
   return detail::body_of_material<T>(material, T(-1) / radius, T(0), T(0));
 }
 
-/// Effective properties of two sides in contact.
+/// Effective properties of two bodies in contact.
 /// @throws std::invalid_argument if the two surfaces conform (1/R* <= 0), or both are rigid, or both are fixed
 template <class T>
 PairProperties<T> pair_properties(const ContactBody<T>& a, const ContactBody<T>& b) {

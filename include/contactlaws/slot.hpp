@@ -1,37 +1,73 @@
 // SPDX-License-Identifier: MIT
-// A law has four slots: normal, damping, shear, bridge. This is what they say to each other; start here to write one.
+// A contact law has five slots. This header says what they exchange; start here to write a law of your own.
 //
-//   normal   respond(State&, pair, overlap)                                      -> NormalResponse
+//   normal   using Slot = NormalSlot<T>;
+//            respond(State&, pair, overlap)                          -> NormalResponse, or a type that adds to it
 //            energy(State, pair, overlap) [J]
-//   damping  coefficients(mass, normal secant, shear stiffness)                  -> DampingCoefficients
-//            normal_force(elastic, coefficient, separating) [N], stiffness_factor() [1], dissipates (whether it does anything)
-//   shear    respond<damped>(State&, ShearInput)                                 -> ShearResponse
+//   damping  using Slot = DampingSlot<T>;
+//            coefficients(mass, normal secant, shear stiffness)      -> DampingCoefficients
+//            normal_force(elastic, coefficient, separating) [N], stiffness_factor() [1], damps_shear
+//   shear    using Slot = ShearSlot<T>;
+//            respond<damped>(State&, ShearInput)                     -> ShearResponse
 //            stiffness(pair, normal response) [N/m], energy(State, stiffness) [J]
-//   bridge   respond(State&, pair, overlap)                                      -> BridgeResponse
-//            energy(State, pair, overlap) [J], range(pair) [m]
+//   bridge   using Slot = BridgeSlot<T>;
+//            respond(State&, pair, overlap)                          -> BridgeResponse
+//            energy(State, pair, overlap) [J], range(pair) [m], intact(State) (may be false where no force acts)
+//   rolling  using Slot = RollingSlot<T>;
+//            respond(State&, RollingInput)                           -> couple on body 2 [N m]
+//            energy(State, pair, normal stiffness) [J]
 //
-// A slot has parameters but no memory; what it remembers of a contact is its nested State: values of T only, virgin when all are zero,
-// listed by state_values(). respond() is handed a copy of the state to bring up to date. `overlap` is never negative
-// for normal and shear (0 means open, and yields zeros); a bridge sees gaps as negative overlaps.
+// Every slot but the normal one has `static constexpr bool acts`: false for the empty slots (NoDashpots, Frictionless, Dry,
+// NoRolling), which cost no byte, no operation and no parameter.
+//
+// A slot holds parameters. What it stores per contact is its nested State: values of T only, new when all are zero, listed
+// by state_values(). respond() receives a copy of the state and updates it.
+//
+// A pushing normal law receives max(overlap, 0); at 0 the response is zero. A normal law that pulls declares
+// `static constexpr bool adheres = true`, receives the overlap with its sign, returns an AdhesiveResponse, and adds
+//            touches(State, pair, overlap) -> Mask    whether the contact holds
+//            range(pair) [m]                          the largest gap across which it holds
+// When a contact opens its history is reset. A normal law whose history must survive declares
+// `static constexpr bool outlives_separation = true`; its respond() is then called for open contacts too, with overlap 0.
 #pragma once
 
-#include "contactlaws/core/scalar.hpp"
+#include <type_traits>
+#include <utility>
+
 #include "contactlaws/kinematics.hpp"
+#include "contactlaws/pair.hpp"
 
 namespace contactlaws {
 
 template <class T>
+struct NormalSlot {};
+template <class T>
+struct DampingSlot {};
+template <class T>
+struct ShearSlot {};
+template <class T>
+struct BridgeSlot {};
+template <class T>
+struct RollingSlot {};
+
+template <class T>
 struct NormalResponse {
-  T force;        ///< elastic (or plastic) force, compression > 0 [N]
-  T stiffness;    ///< tangent stiffness dF/do of the active branch [N/m]
-  T secant;       ///< force over indentation of the active branch, what dashpots scale with [N/m]
-  T max_tangent;  ///< tangent of the max_tangent branch that motion can enter from here, for the time step [N/m]
+  T force;        ///< elastic or elastic-plastic force, compression > 0 [N]
+  T stiffness;    ///< tangent dF/do of the active branch [N/m]
+  T secant;       ///< force over elastic indentation: what dashpots scale with [N/m]
+  T max_tangent;  ///< tangent of the stiffest branch that the next motion may follow, for the time step [N/m]
 };
 
-/// Of the normal laws that know the radius a of the contact: Mindlin's shear stiffness asks for it.
+/// Of normal laws that know the contact radius a, which Mindlin's shear stiffness needs.
 template <class T>
 struct HertzResponse : NormalResponse<T> {
   T contact_radius;  ///< a [m]
+};
+
+/// Of normal laws that pull: `force` includes the pull.
+template <class T>
+struct AdhesiveResponse : HertzResponse<T> {
+  T adhesion;  ///< friction acts on force + adhesion; a clipped dashpot does not pull beyond it [N]
 };
 
 template <class T>
@@ -43,10 +79,11 @@ struct DampingCoefficients {
 template <class T>
 struct ShearInput {
   const ContactKinematics<T>& kinematics;
-  Vec3<T> slip_velocity;  ///< of sliding: in the contact plane, body 2 relative to body 1 [m/s]
-  T stiffness;            ///< k_s o^(1/2) at this overlap, 0 when open [N/m]
+  Vec3<T> slip_velocity;  ///< in the contact plane, body 2 relative to body 1 [m/s]
+  T stiffness;            ///< shear stiffness at this overlap, 0 when open [N/m]
   T dashpot;              ///< c_s [kg/s]; read when damped
-  T friction_load;        ///< normal surface force, bridge not counted, never negative: what friction multiplies [N]
+  T friction_load;        ///< normal force that friction multiplies: without the bridge, never negative [N]
+  Mask<T> touching;       ///< of a pack's lanes, those in contact
 };
 
 template <class T>
@@ -58,7 +95,54 @@ struct ShearResponse {
 template <class T>
 struct BridgeResponse {
   T force;         ///< attraction > 0 [N]
-  Mask<T> intact;  ///< whether the bridge is there
+  Mask<T> intact;  ///< whether the bridge exists
 };
+
+template <class T>
+struct RollingInput {
+  const PairProperties<T>& pair;
+  const ContactKinematics<T>& kinematics;
+  T normal_stiffness;  ///< tangent of the normal law [N/m]
+  T load;              ///< as ShearInput::friction_load [N]
+};
+
+namespace detail {
+
+template <class Normal, class = void>
+inline constexpr bool adheres = false;
+template <class Normal>
+inline constexpr bool adheres<Normal, std::void_t<decltype(Normal::adheres)>> = Normal::adheres;
+
+template <class Normal, class = void>
+inline constexpr bool outlives_separation = false;
+template <class Normal>
+inline constexpr bool outlives_separation<Normal, std::void_t<decltype(Normal::outlives_separation)>> =
+    Normal::outlives_separation;
+
+/// What a slot type says that it is; void for any other type.
+template <class Type, class = void>
+struct SlotOf {
+  using type = void;
+};
+template <class Type>
+struct SlotOf<Type, std::void_t<typename Type::Slot>> {
+  using type = typename Type::Slot;
+};
+template <class Type, class Slot>
+inline constexpr bool is_slot = std::is_same_v<typename SlotOf<Type>::type, Slot>;
+
+/// Whether a shear law can take its stiffness from what the normal law returns.
+template <class Normal, class Shear, class = void>
+inline constexpr bool stiffness_fits = !Shear::acts;
+template <class Normal, class Shear>
+inline constexpr bool stiffness_fits<
+    Normal, Shear,
+    std::void_t<decltype(std::declval<const Shear&>().stiffness(
+        std::declval<const PairProperties<typename Normal::Scalar>&>(),
+        std::declval<const Normal&>().respond(std::declval<typename Normal::State&>(),
+                                              std::declval<const PairProperties<typename Normal::Scalar>&>(),
+                                              std::declval<const typename Normal::Scalar&>())))>> = true;
+
+}  // namespace detail
 
 }  // namespace contactlaws

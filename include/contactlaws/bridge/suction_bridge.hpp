@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A liquid bridge that holds by suction, g the gap (-overlap), R_o the smaller radius:
+// A liquid bridge that pulls by suction, g the gap (-overlap), R_o the smaller radius:
 //
 //   F_m = F_max                      g <= 0                F_max = psi pi R_o^2
 //         F_max exp(-g / lambda)     0 < g < g_r           lambda = decay_length R_o
@@ -12,14 +12,14 @@
 #include <array>
 
 #include "contactlaws/core/parameter.hpp"
-#include "contactlaws/pair.hpp"
 #include "contactlaws/slot.hpp"
 
 namespace contactlaws {
 
-/// No bridge: nothing computed, nothing stored.
+/// The empty bridge slot.
 template <class T>
 struct Dry {
+  using Slot = BridgeSlot<T>;
   template <class U>
   using Rebind = Dry<U>;
   static constexpr bool acts = false;
@@ -34,6 +34,7 @@ struct Dry {
 
 template <class T>
 struct SuctionBridge {
+  using Slot = BridgeSlot<T>;
   template <class U>
   using Rebind = SuctionBridge<U>;
   static constexpr bool acts = true;
@@ -53,17 +54,22 @@ struct SuctionBridge {
   }
   static constexpr std::array<StateValue, 1> state_values() { return {{{"moisture", "1", +1}}}; }
 
-  CONTACTLAWS_HD static Mask<T> is_wet(const State& state) noexcept { return state.moisture >= T(2); }
+  /// Whether the contact carries a bridge. A NaN moisture counts as wet, so that its force is NaN.
+  CONTACTLAWS_HD static Mask<T> is_wet(const State& state) noexcept { return !(state.moisture < T(2)); }
 
-  /// Wets the contact where its gap is at most `moisture_gap` [m]. The force follows with the next step.
+  /// Wets the contact where its gap is at most `moisture_gap` [m]. The next step computes the force.
   CONTACTLAWS_HD static void make_wet(State& state, const T& overlap, const T& moisture_gap) noexcept {
     state.moisture = select<T>(T(-overlap) <= moisture_gap, T(2), state.moisture);
   }
-  /// Dries the contact. The force follows with the next step.
+  /// Dries the contact. The next step computes the force.
   CONTACTLAWS_HD static void make_dry(State& state) noexcept { state.moisture = T(0); }
 
   /// Gap at which a bridge ruptures [m].
-  CONTACTLAWS_HD T range(const PairProperties<T>& pair) const noexcept { return rupture_gap * pair.min_radius; }
+  CONTACTLAWS_HD T rupture(const PairProperties<T>& pair) const noexcept { return rupture_gap * pair.min_radius; }
+  /// Largest gap across which a bridge pulls [m]: 0 without suction.
+  CONTACTLAWS_HD T range(const PairProperties<T>& pair) const noexcept {
+    return select<T>(suction > T(0), rupture(pair), T(0));
+  }
 
   /// F_max [N]
   CONTACTLAWS_HD T largest_force(const PairProperties<T>& pair) const noexcept {
@@ -76,20 +82,21 @@ struct SuctionBridge {
     const Mask<T> wet = is_wet(state);
     if (!any<T>(wet)) return {T(0), wet};
     const T gap = positive_part<T>(T(-overlap));
-    const Mask<T> intact = wet && gap < range(pair);
-    state.moisture = select<T>(wet && !intact, T(1), state.moisture);
+    const Mask<T> intact = wet && !(gap >= rupture(pair));
     T force = largest_force(pair);
-    if (any<T>(intact && gap > T(0))) force = force * T(exp(T(-gap / (decay_length * pair.min_radius))));
+    if (any<T>(intact && !(gap <= T(0)))) force = force * T(exp(T(-gap / (decay_length * pair.min_radius))));
+    force = select<T>(state.moisture >= T(2), force, state.moisture);  // a NaN moisture gives a NaN force
+    state.moisture = select<T>(wet && !intact, T(1), state.moisture);
     return {select<T>(intact, force, T(0)), intact};
   }
 
-  /// Energy stored, relative to a bridge about to rupture: minus what it takes to pull it to rupture [J].
+  /// Stored energy, zero at rupture: minus the work that pulling the bridge to rupture takes [J].
   CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
     using std::exp;
     const T gap = positive_part<T>(T(-overlap));
     const T decay = decay_length * pair.min_radius;
-    const T beyond_touch = decay * T(T(exp(T(-gap / decay))) - T(exp(T(-range(pair) / decay))));
-    const Mask<T> intact = is_wet(state) && gap < range(pair);
+    const T beyond_touch = decay * T(T(exp(T(-gap / decay))) - T(exp(T(-rupture(pair) / decay))));
+    const Mask<T> intact = is_wet(state) && !(gap >= rupture(pair));
     return select<T>(intact, T(-largest_force(pair) * T(beyond_touch + positive_part<T>(overlap))), T(0));
   }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A parameter told as data: its name, unit, place and range. One table in each law serves the check of the values
-// (validate.hpp), programs that read laws from a file, and their help.
+// A parameter described as data: name, unit, member and range. Each law has one table of them; it serves the check of the
+// values (validate.hpp), programs that read laws from a file, and their help.
 #pragma once
 
 #include <array>
@@ -11,17 +11,19 @@
 
 namespace contactlaws {
 
-/// An interval of allowed values; always finite: infinity and NaN are out of every range.
+/// An interval of allowed values. Infinity and NaN lie outside every range.
 struct Range {
   double low = 0.0;
   double high = 0.0;
   bool low_included = false;
   bool high_included = false;
 
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  /// The largest finite number as a bound: every finite number is allowed.
+  static constexpr double unbounded = std::numeric_limits<double>::max();
 
-  static constexpr Range positive() { return {0.0, infinity, false, false}; }
-  static constexpr Range not_negative() { return {0.0, infinity, true, false}; }
+  static constexpr Range any() { return {-unbounded, unbounded, true, true}; }
+  static constexpr Range positive() { return {0.0, unbounded, false, true}; }
+  static constexpr Range not_negative() { return {0.0, unbounded, true, true}; }
   static constexpr Range closed(double low, double high) { return {low, high, true, true}; }
   static constexpr Range left_open(double low, double high) { return {low, high, false, true}; }
 
@@ -39,15 +41,20 @@ struct Parameter {
   Range range = {};
 };
 
-/// One value of history, as a host sees it.
+enum class ValueKind {
+  scalar,
+  vector  ///< a component: three in a row are x, y, z, which turn with the frame
+};
+
+/// One value of history, as a host stores it.
 struct StateValue {
   const char* name = "";
   const char* unit = "1";
-  int exchange_sign =
-      1;  ///< -1: a vector's component, which changes sign when the two bodies are swapped; +1: a scalar
+  int exchange_sign = 1;  ///< factor when the two bodies are swapped: -1 for a force or a displacement, else +1
+  ValueKind kind = ValueKind::scalar;
 };
 
-/// Two tables as one.
+/// Two tables joined.
 template <class Entry, std::size_t M, std::size_t N>
 constexpr std::array<Entry, M + N> concatenate(const std::array<Entry, M>& first, const std::array<Entry, N>& second) {
   std::array<Entry, M + N> all{};
@@ -56,7 +63,15 @@ constexpr std::array<Entry, M + N> concatenate(const std::array<Entry, M>& first
   return all;
 }
 
-/// The same slot of a law on another scalar, each parameter as `convert` makes it.
+/// A table of a base class as the table of the class that inherits it.
+template <class Owner, class T, class Base, std::size_t N>
+constexpr std::array<Parameter<Owner, T>, N> inherited(const std::array<Parameter<Base, T>, N>& table) {
+  std::array<Parameter<Owner, T>, N> all{};
+  for (std::size_t i = 0; i < N; ++i) all[i] = {table[i].name, table[i].unit, table[i].member, table[i].range};
+  return all;
+}
+
+/// The same slot of a law on another scalar, each parameter converted by `convert`.
 template <class U, class Slot, class Convert>
 CONTACTLAWS_HD typename Slot::template Rebind<U> slot_cast(const Slot& slot, const Convert& convert) {
   typename Slot::template Rebind<U> result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scalar must offer, so that one kernel text serves one contact or many, at any precision:
+// What a scalar must offer, so that one kernel text serves one contact or a pack of contacts, at any precision:
 //
 //   + - * /   < <= > >=   && || ! of what these yield   sqrt abs, and exp pow sin cos where a law uses them,
 //   found by argument-dependent lookup or, for the built-in types, in std (so kernels write `using std::sqrt; sqrt(x)`).
@@ -22,7 +22,15 @@ namespace contactlaws {
 template <class T>
 using Vec3 = Eigen::Matrix<T, 3, 1>;
 
-/// The few operations that differ between a number and a pack of numbers.
+/// T, but not deduced from the argument: sphere(granite, 5) takes an integer radius.
+template <class T>
+struct NonDeducedType {
+  using type = T;
+};
+template <class T>
+using NonDeduced = typename NonDeducedType<T>::type;
+
+/// The operations that differ between a number and a pack of numbers.
 template <class T>
 struct ScalarTraits {
   using Mask = bool;  ///< what a comparison of two T yields
@@ -56,13 +64,13 @@ CONTACTLAWS_HD bool any(const Mask<T>& condition) noexcept {
   return ScalarTraits<T>::any(condition);
 }
 
-/// max(x, 0), and 0 for a NaN: an overlap that is not positive is no contact.
+/// max(x, 0). A NaN stays a NaN, and -0 stays -0.
 template <class T>
 CONTACTLAWS_HD T positive_part(const T& x) noexcept {
-  return select<T>(x > T(0), x, T(0));
+  return select<T>(!(x < T(0)), x, T(0));
 }
 
-/// The smaller and the larger of two numbers.
+/// min(a, b) and max(a, b), named in full: Eigen's own min and max would be found by argument-dependent lookup.
 template <class T>
 CONTACTLAWS_HD T minimum(const T& a, const T& b) noexcept {
   return select<T>(b < a, b, a);
@@ -78,7 +86,7 @@ CONTACTLAWS_HD Eigen::Array<T, 2, 1> sqrt_pair(const T& a, const T& b) noexcept 
   return Eigen::Array<T, 2, 1>(a, b).sqrt();
 }
 
-/// a . b, summed from x to z for every T: Eigen's order depends on the type, and a pack's lanes are to be those of one.
+/// a . b, summed from x to z for every T. Eigen's order depends on the type; a fixed one gives packs the scalar's bits.
 template <class T>
 CONTACTLAWS_HD T dot(const Vec3<T>& a, const Vec3<T>& b) noexcept {
   return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
@@ -95,14 +103,14 @@ CONTACTLAWS_HD T sqrt_of_product(const T& a, const T& b) noexcept {
   return select<T>(lost, T(sqrt(a)) * T(sqrt(b)), root);
 }
 
-/// a - q b, what the quotient q of a/b left over, to the last bit where nothing underflows: the product as the exact sum
-/// of the halves' products (Veltkamp 1968, Dekker 1971). Compilers told to reorder sums (-ffast-math) make it zero.
+/// The remainder a - q b of the rounded quotient q = a/b, exact where nothing underflows: the product q b is the exact sum
+/// of the products of halves (Veltkamp 1968, Dekker 1971). With -ffast-math compilers simplify it to zero.
 template <class T>
 CONTACTLAWS_HD T quotient_error(const T& a, const T& b, const T& q) noexcept {
   using Lane = typename ScalarTraits<T>::Lane;
   constexpr int half = (std::numeric_limits<Lane>::digits + 1) / 2;
   if constexpr (half > 32) {
-    return a - q * b;  // no number to spare a rounding of
+    return a - q * b;  // types beyond 64 bits: splitting is not exact; the plain remainder is accurate enough
   } else {
     const T splitter = T(Lane((1ULL << half) + 1));
     const T b_scaled = splitter * b, q_scaled = splitter * q;
@@ -112,7 +120,7 @@ CONTACTLAWS_HD T quotient_error(const T& a, const T& b, const T& q) noexcept {
   }
 }
 
-/// Whether a sum of squares kept its digits: neither underflow nor overflow came near it.
+/// Whether a sum of squares is accurate: it neither overflows nor comes near underflow.
 template <class T>
 CONTACTLAWS_HD Mask<T> square_is_exact(const T& square) noexcept {
   using Lane = typename ScalarTraits<T>::Lane;
@@ -120,7 +128,7 @@ CONTACTLAWS_HD Mask<T> square_is_exact(const T& square) noexcept {
   return square >= T(Lane(Limits::min() / Limits::epsilon())) && square <= T(Limits::max());
 }
 
-/// |v| at any magnitude that T can hold: scaled by the largest component where the squares would leave the range.
+/// |v| for every magnitude of T: scaled by the largest component where the squares would overflow or underflow.
 template <class T>
 CONTACTLAWS_HD T norm(const Vec3<T>& v) noexcept {
   using std::abs;

@@ -29,23 +29,22 @@ namespace contactlaws {
 
 inline std::string to_string(const Range& range) {
   std::ostringstream text;
-  text << (range.low_included ? '[' : '(');
-  if (range.low == -Range::infinity) {
+  text << (range.low_included && range.low != -Range::unbounded ? '[' : '(');
+  if (range.low == -Range::unbounded) {
     text << "-inf";
   } else {
     text << range.low;
   }
   text << ", ";
-  if (range.high == Range::infinity) {
-    text << "inf";
+  if (range.high == Range::unbounded) {
+    text << "inf)";
   } else {
-    text << range.high;
+    text << range.high << (range.high_included ? ']' : ')');
   }
-  text << (range.high_included ? ']' : ')');
   return text.str();
 }
 
-/// A number in the fewest digits that give it back: 0.7, not 0.69999999999999996.
+/// The shortest decimal that reads back as the same number: 0.7, not 0.69999999999999996.
 inline std::string to_string(double value) {
   for (int digits = 6;; ++digits) {
     std::ostringstream text;
@@ -73,7 +72,7 @@ template <class Owner>
 struct HasSlots<Owner, std::void_t<decltype(std::declval<const Owner&>().slots())>> : std::true_type {};
 }  // namespace detail
 
-/// Rejects `owner` unless each of its parameters lies in its range; hands it back otherwise.
+/// Rejects `owner` unless each of its parameters lies in its range; returns it otherwise.
 /// `Owner` offers `name` and `parameters()` (Dashpots is a short example), or `slots()` that do.
 /// @throws std::invalid_argument at the first that does not
 template <class Owner>

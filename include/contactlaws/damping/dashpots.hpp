@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Viscous dashpots beside the springs, at a damping that no impact speed changes:
+// Viscous dashpots beside the springs. The damping ratio does not depend on the speed of an impact:
 //
-//   normal   F_d = -c_n v_n,   c_n = alpha sqrt(m* k_n o^(1/2))     k_n o^(1/2): the normal law's secant stiffness
-//   shear    F_d = -c_s v_s,   c_s = alpha sqrt(m* k_s o^(1/2))     k_s o^(1/2): the shear stiffness
+//   normal   F_d = -c_n v_n,   c_n = alpha   sqrt(m* k_n)     k_n [N/m]: the secant of the normal spring, F/d
+//   shear    F_d = -c_s v_s,   c_s = alpha_s sqrt(m* k_s)     k_s [N/m]: the shear stiffness
 //
-// Tsuji, Tanaka & Ishida (1992); Potyondy (2019) Eqs 13, 17 and Table 4. For a linear spring the same form holds and
-// alpha is twice the damping ratio. Domain: alpha >= 0; m* k must not underflow. No history.
+// d is the elastic indentation: the overlap of smooth bodies, less for rough ones (normal/pohrt_popov.hpp).
+// Tsuji, Tanaka & Ishida (1992); Potyondy (2019) Eqs 13, 17 and Table 4. For a linear spring alpha is twice the damping
+// ratio. Domain: alpha >= 0; m* k must not underflow. No history.
 // alpha from a coefficient of restitution: restitution.hpp. Error: <= 2 ULP in a coefficient (tests/laws/test_dashpots.cpp).
 #pragma once
 
@@ -16,18 +17,27 @@
 
 namespace contactlaws {
 
-/// Whether the normal dashpot may pull at the end of an impact, when spring and dashpot together would.
+/// Whether the normal dashpot may pull at the end of an impact, where its force exceeds the spring's.
 enum class Tension {
-  allowed,  ///< the sum of both, as Potyondy (2019) Eq. 13 writes it
-  clipped   ///< never below zero
+  allowed,  ///< the sum of both, as Potyondy (2019) Eq. 13 has it
+  clipped   ///< the sum is never below zero (of an adhesive law: never below minus its adhesion)
 };
 
-/// No dashpots: nothing computed.
+/// Which coefficient the shear dashpot has: DEM codes differ.
+enum class ShearDashpot {
+  like_normal,  ///< alpha_s = alpha (Potyondy 2019)
+  none,         ///< alpha_s = 0: damping in the normal direction only
+  given         ///< alpha_s is a parameter of its own
+};
+
+/// The empty damping slot.
 template <class T>
 struct NoDashpots {
+  using Slot = DampingSlot<T>;
   template <class U>
   using Rebind = NoDashpots<U>;
   static constexpr bool acts = false;
+  static constexpr bool damps_shear = false;
 
   static constexpr const char* name = "NoDashpots";
   static constexpr std::array<Parameter<NoDashpots, T>, 0> parameters() { return {}; }
@@ -39,23 +49,40 @@ struct NoDashpots {
   CONTACTLAWS_HD T stiffness_factor() const noexcept { return T(1); }
 };
 
-template <class T, Tension tension = Tension::allowed>
+template <class T, Tension tension = Tension::allowed, ShearDashpot shear_dashpot = ShearDashpot::like_normal>
 struct Dashpots {
+  using Slot = DampingSlot<T>;
   template <class U>
-  using Rebind = Dashpots<U, tension>;
+  using Rebind = Dashpots<U, tension, shear_dashpot>;
   static constexpr bool acts = true;
+  static constexpr bool damps_shear = shear_dashpot != ShearDashpot::none;
 
-  T damping_constant = T(0);  ///< alpha [1]
+  T damping_constant = T(0);        ///< alpha [1]
+  T shear_damping_constant = T(0);  ///< alpha_s [1]; a parameter with ShearDashpot::given, else unused
 
   static constexpr const char* name = "Dashpots";
-  static constexpr std::array<Parameter<Dashpots, T>, 1> parameters() {
-    return {{{"damping_constant", "1", &Dashpots::damping_constant, Range::not_negative()}}};
+  static constexpr auto parameters() {
+    const std::array<Parameter<Dashpots, T>, 1> normal{
+        {{"damping_constant", "1", &Dashpots::damping_constant, Range::not_negative()}}};
+    if constexpr (shear_dashpot == ShearDashpot::given) {
+      const std::array<Parameter<Dashpots, T>, 1> shear{
+          {{"shear_damping_constant", "1", &Dashpots::shear_damping_constant, Range::not_negative()}}};
+      return concatenate(normal, shear);
+    } else {
+      return normal;
+    }
   }
 
-  /// c_n and c_s [kg/s] for an effective mass [kg], a normal secant stiffness and a shear stiffness [N/m].
+  /// c_n and c_s [kg/s] for an effective mass [kg], the normal secant and the shear stiffness [N/m].
   CONTACTLAWS_HD DampingCoefficients<T> coefficients(const T& mass, const T& secant, const T& shear) const noexcept {
-    const Eigen::Array<T, 2, 1> roots = sqrt_pair<T>(mass * secant, mass * shear);
-    return {damping_constant * roots[0], damping_constant * roots[1]};
+    if constexpr (shear_dashpot == ShearDashpot::none) {
+      using std::sqrt;
+      return {damping_constant * T(sqrt(T(mass * secant))), T(0)};
+    } else {
+      const Eigen::Array<T, 2, 1> roots = sqrt_pair<T>(mass * secant, mass * shear);
+      const T& in_shear = shear_dashpot == ShearDashpot::given ? shear_damping_constant : damping_constant;
+      return {damping_constant * roots[0], in_shear * roots[1]};
+    }
   }
 
   /// Spring and dashpot together [N]; `separating` = v_n [m/s].
@@ -65,11 +92,13 @@ struct Dashpots {
     return total;
   }
 
-  /// Factor on a contact's stiffness in the estimate of a stable step (Potyondy 2019, Eqs 20-21):
-  /// 1 / (sqrt(1 + b^2) - b)^2 = (sqrt(1 + b^2) + b)^2, b = alpha/2.
+  /// Factor on the stiffness of a contact in the estimate of a stable step (Potyondy 2019, Eqs 20-21):
+  /// 1 / (sqrt(1 + b^2) - b)^2 = (sqrt(1 + b^2) + b)^2, b = alpha/2, of the larger alpha where there are two.
   CONTACTLAWS_HD T stiffness_factor() const noexcept {
     using std::sqrt;
-    const T b = damping_constant / T(2);
+    T alpha = damping_constant;
+    if constexpr (shear_dashpot == ShearDashpot::given) alpha = maximum<T>(alpha, shear_damping_constant);
+    const T b = alpha / T(2);
     const T root = T(sqrt(T(T(1) + b * b))) + b;
     return root * root;
   }

@@ -4,18 +4,18 @@
 //   a = sqrt(R* o)     F = 4/3 E* sqrt(R*) o^(3/2) = 4/3 E* a o     dF/do = 2 E* a
 //
 // Johnson (1985) Eqs 4.22-4.24; Potyondy (2019) Eq. 13.
-// Domain: o << R*, no adhesion. No history. Error: <= 4 ULP in force, <= 3 in stiffness (tests/laws/test_hertz.cpp).
+// Domain: o << R*, no adhesion (with it: normal/dmt.hpp). No history.
+// Error: <= 4 ULP in force, <= 3 in stiffness (tests/laws/test_hertz.cpp).
 #pragma once
 
 #include <array>
 
 #include "contactlaws/core/parameter.hpp"
-#include "contactlaws/pair.hpp"
 #include "contactlaws/slot.hpp"
 
 namespace contactlaws {
 
-/// Hertz's response to an indentation >= 0 [m]; for rough surfaces that is less than the overlap.
+/// Hertz's response to an indentation >= 0 [m], of rough surfaces less than the overlap.
 template <class T>
 CONTACTLAWS_HD HertzResponse<T> hertz_response(const PairProperties<T>& pair, const T& indentation) noexcept {
   const T contact_radius = sqrt_of_product<T>(pair.effective_radius, indentation);
@@ -24,7 +24,7 @@ CONTACTLAWS_HD HertzResponse<T> hertz_response(const PairProperties<T>& pair, co
   return {{secant * indentation, stiffness, secant, stiffness}, contact_radius};
 }
 
-/// Work to reach an indentation along Hertz's curve: 2/5 F d [J].
+/// Work of loading to an indentation along Hertz's curve: 2/5 F d [J].
 template <class T>
 CONTACTLAWS_HD T hertz_energy(const PairProperties<T>& pair, const T& indentation) noexcept {
   return T(hertz_response<T>(pair, indentation).force * indentation) * T(T(2) / T(5));
@@ -32,6 +32,7 @@ CONTACTLAWS_HD T hertz_energy(const PairProperties<T>& pair, const T& indentatio
 
 template <class T>
 struct Hertz {
+  using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
   using Rebind = Hertz<U>;

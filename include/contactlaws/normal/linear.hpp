@@ -11,7 +11,6 @@
 #include <array>
 
 #include "contactlaws/core/parameter.hpp"
-#include "contactlaws/pair.hpp"
 #include "contactlaws/slot.hpp"
 
 namespace contactlaws {
@@ -19,13 +18,14 @@ namespace contactlaws {
 namespace detail {
 template <class T>
 CONTACTLAWS_HD NormalResponse<T> linear_response(const T& stiffness, const T& overlap) noexcept {
-  const T active = select<T>(overlap > T(0), stiffness, T(0));
+  const T active = select<T>(overlap <= T(0), T(0), stiffness);
   return {active * overlap, active, active, active};
 }
 }  // namespace detail
 
 template <class T>
 struct LinearSpring {
+  using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
   using Rebind = LinearSpring<U>;
@@ -49,6 +49,7 @@ struct LinearSpring {
 
 template <class T>
 struct LinearModulus {
+  using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
   using Rebind = LinearModulus<U>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contact of rough surfaces, with loading history. A rough contact is softer than Hertz's until its roughness is pressed
-// flat, at the transition; in closed form it is a Hertz contact at a reduced indentation d(o) of the overlap o:
+// Contact of rough surfaces, with loading history. A rough contact is softer than Hertz's until its asperities are flat, at
+// the transition. In closed form it is a Hertz contact at an elastic indentation d(o) below the overlap o:
 //
 //   F = k_n d^(3/2),   k_n = 4/3 E* sqrt(R*),   x = o / o_c
 //   d = d_c x^p = o/p x^(p-1)   o < o_c      (dF/do = C F^beta, integrated)         p   = 2 / (3 (1 - beta))
@@ -11,11 +11,13 @@
 // Elasto-plastic: virgin loading follows d(o); below the largest overlap o_m ever reached, Hertz from there,
 //   d = d(o_m) - (o_m - o), never negative: the contact reopens at the plastic overlap o_p = o_m - d(o_m).
 //
-// Pohrt & Popov (2012); Tolomeo & McDowell (2022) Eqs 1-6, whose increments (pohrt_popov_incremental.hpp) these replace:
-// no step, no drift, no start. Domain: D_f in [2, 3], h > 0, o << R*.
+// Pohrt & Popov (2012); Tolomeo & McDowell (2022) Eqs 1-6. The closed form replaces the paper's increments, which depend on
+// the step and on a start force (examples/ballast/pohrt_popov_incremental.hpp). Domain: D_f in [2, 3], h > 0, o << R*.
+// Both laws tell dashpots the secant F/d of the elastic indentation, so that one virgin curve is damped alike in both: F/o
+// counts crushed asperities as if they were part of the spring, and halves the damping.
 // Error of F, given p and o_c: <= 6 ULP; of the stiffness 5. Power::fast adds 3/2 |(p-1) log x| eps, and so do packs
-// (power.hpp). Unloading, d is right to 3 ULP of d(o_m) and, near o_p, no better: no number stands for d(o_m)
-// to less than half one (tests/laws/test_pohrt_popov_accuracy.cpp).
+// (power.hpp). While unloading, the absolute error of d is 3 ULP of d(o_m): F is right to 9 ULP where d >= d(o_m)/2, and
+// near o_p its relative error is unbounded (tests/laws/test_pohrt_popov_accuracy.cpp).
 #pragma once
 
 #include <array>
@@ -24,7 +26,6 @@
 #include "contactlaws/core/power.hpp"
 #include "contactlaws/core/validate.hpp"
 #include "contactlaws/normal/hertz.hpp"
-#include "contactlaws/pair.hpp"
 #include "contactlaws/slot.hpp"
 
 namespace contactlaws {
@@ -55,16 +56,16 @@ struct RoughSurface {
   }
 };
 
-/// What the surfaces remember once the bodies have been fully apart.
+/// The loading history after the bodies have been apart.
 enum class Recontact {
-  same_spot,     ///< the flattened asperities meet again: a rattling contact neither hardens nor softens (default)
-  fresh_surface  ///< virgin asperities meet: a contact that has moved on
+  fresh_surface,  ///< fresh asperities meet: no result depends on how long a host keeps a pair listed (default)
+  same_spot       ///< the flattened asperities meet again: for hosts that keep the history of separated pairs
 };
 
-/// Where on its loading history a contact stands.
+/// The branch of the loading history on which a contact is.
 enum class Loading { open, virgin, unloading, reloading };
 
-/// d(o), and what it takes to get there.
+/// The curve d(o) of a rough surface.
 template <class T, Power power>
 struct RoughProfile {
   T exponent = T(1);            ///< p [1]
@@ -95,7 +96,7 @@ struct RoughProfile {
     return transition_overlap * T(pow(T(depth / at_transition), T(T(1) / exponent)));
   }
 
-  /// What it costs to flatten the asperities on the way to an overlap >= 0, in full from the transition on [J].
+  /// Work that flattens the asperities up to an overlap >= 0; constant beyond the transition [J].
   CONTACTLAWS_HD T flattening_work(const PairProperties<T>& pair, const T& overlap) const noexcept {
     const T rough_part = minimum<T>(overlap, transition_overlap);
     const T depth = indentation(rough_part).depth;
@@ -132,6 +133,7 @@ struct RoughProfile {
 /// Elastic: loading and unloading follow the same curve. No history.
 template <class T, Power power = Power::accurate>
 struct PohrtPopov : RoughProfile<T, power> {
+  using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
   using Rebind = PohrtPopov<U, power>;
@@ -150,21 +152,24 @@ struct PohrtPopov : RoughProfile<T, power> {
     const auto at = this->indentation(overlap);
     const HertzResponse<T> hertz = hertz_response<T>(pair, at.depth);
     const T stiffness = hertz.stiffness * at.slope;
-    const T secant = hertz.force / select<T>(overlap > T(0), overlap, T(1));
-    return {hertz.force, stiffness, secant, stiffness};
+    return {hertz.force, stiffness, hertz.secant, stiffness};
   }
   CONTACTLAWS_HD T energy(const State&, const PairProperties<T>& pair, const T& overlap) const noexcept {
     return this->virgin_work(pair, overlap);
   }
 };
 
-/// Elasto-plastic. History: the largest overlap, one exact number, from which the plastic overlap follows. The tangent jumps
-/// there, from the virgin branch's to Hertz's: a contact held at its largest overlap has either, as its overlap rounds.
-template <class T, Recontact recontact = Recontact::same_spot, Power power = Power::accurate>
+/// Elastic-plastic. History: the largest overlap, an exact number, which defines the plastic overlap. The tangent jumps at the
+/// largest overlap from the virgin branch's to Hertz's; a contact held there has one or the other, depending on rounding. A
+/// shear stiffness in proportion to it (ConstantRatio) then creates up to 56 % of k S^2/2 per load cycle: see ElasticRatio.
+template <class T, Recontact recontact = Recontact::fresh_surface, Power power = Power::accurate>
 struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
+  using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
   using Rebind = PohrtPopovElastoPlastic<U, recontact, power>;
+
+  static constexpr bool outlives_separation = recontact == Recontact::same_spot;
 
   struct State {
     T largest_overlap = T(0);  ///< o_m [m]
@@ -187,29 +192,27 @@ struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
     const auto at_largest = this->indentation(largest);
     const T depth = positive_part<T>(T(at_largest.depth - (largest - overlap)));
     state.largest_overlap = largest;
-    if constexpr (recontact == Recontact::fresh_surface)
-      state.largest_overlap = select<T>(overlap > T(0), largest, T(0));
-    if (!any<T>(depth > T(0))) return {T(0), T(0), T(0), T(0)};  // a square root has no derivative at 0
+    if (!any<T>(!(depth <= T(0)))) return {T(0), T(0), T(0), T(0)};  // a square root has no derivative at 0
     const HertzResponse<T> hertz = hertz_response<T>(pair, depth);
     const T virgin_stiffness = hertz.stiffness * at_largest.slope;
     return {hertz.force, select<T>(virgin, virgin_stiffness, hertz.stiffness), hertz.secant, hertz.stiffness};
   }
 
-  /// o_p [m], where the contact reopens.
+  /// o_p [m], where the contact opens.
   CONTACTLAWS_HD T plastic_overlap(const State& state) const noexcept {
     return state.largest_overlap - this->indentation(state.largest_overlap).depth;
   }
 
-  /// What unloading would give back [J].
+  /// Elastic energy, which unloading releases [J].
   CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
     return hertz_energy<T>(pair, elastic_indentation(state, overlap));
   }
-  /// What flattening the asperities has cost since they were fresh [J].
+  /// Work that has flattened the asperities since they were fresh [J].
   CONTACTLAWS_HD T plastic_dissipation(const State& state, const PairProperties<T>& pair) const noexcept {
     return this->flattening_work(pair, state.largest_overlap);
   }
 
-  /// Where a contact stands whose state was `before` at the last step; `separating` = v_n [m/s]. Open: without force.
+  /// The branch of a contact whose state was `before` at the last step; `separating` = v_n [m/s]. Open: no force.
   Loading loading(const State& before, const T& overlap, const T& separating) const noexcept {
     if (!(elastic_indentation(before, overlap) > T(0))) return Loading::open;
     if (overlap >= before.largest_overlap) return Loading::virgin;

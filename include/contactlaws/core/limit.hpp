@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Limits the length of a vector, keeping its direction: friction, rolling resistance.
+#pragma once
+
+#include "contactlaws/core/scalar.hpp"
+
+namespace contactlaws::detail {
+
+/// Whether |v| <= limit, decided by squares. False also where the square of the limit overflows or underflows.
+template <class T>
+CONTACTLAWS_HD Mask<T> surely_within(const Vec3<T>& v, const T& limit) noexcept {
+  const T square = limit * limit;
+  return square_is_exact<T>(square) && dot<T>(v, v) <= square;
+}
+
+/// The factor that scales a vector longer than `limit` to the length `limited`.
+template <class T>
+struct LengthLimit {
+  T factor;  ///< 1 where the vector is not longer
+  Mask<T> exceeded;
+};
+template <class T>
+CONTACTLAWS_HD LengthLimit<T> length_limit(const Vec3<T>& v, const T& limit, const T& limited) noexcept {
+  const T length = norm<T>(v);
+  const Mask<T> exceeded = !(length <= limit);  // also where one is NaN
+  return {select<T>(exceeded, limited, T(1)) / select<T>(exceeded, length, T(1)), exceeded};
+}
+
+}  // namespace contactlaws::detail
