@@ -63,15 +63,18 @@ class OutputFile {
   bool in_place_ = false;
 };
 
+/// Creates a folder where there is none. @throws InputError if that fails
+inline void create_folder(const std::string& folder) {
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  if (fault) fail({folder}, "the folder cannot be created: " + fault.message());
+}
+
 /// The output files of one run. None of them is renamed before all of them are written.
 class OutputFolder {
  public:
   /// Creates the folder. @throws InputError if it cannot be created
-  explicit OutputFolder(const std::string& folder) : folder_(folder) {
-    std::error_code fault;
-    std::filesystem::create_directories(folder, fault);
-    if (fault) fail({folder}, "cannot be created: " + fault.message());
-  }
+  explicit OutputFolder(const std::string& folder) : folder_(folder) { create_folder(folder); }
 
   /// A file of this name. The stream lives as long as the folder. @throws InputError as OutputFile does
   std::ostream& file(const std::string& name) {
