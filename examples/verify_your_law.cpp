@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How to check a force update of your own: one with three faults that reached users of DEM codes, and the same repaired.
+// How to check a force update of your own: an update with three faults that reached users of DEM codes, and the same update
+// repaired.
 //
-//   verify_your_law [FOLDER]        FOLDER: where to write the paths that show the faults (PATH.csv, see contact_path/)
+//   verify_your_law [FOLDER]      writes the paths that show the faults there (PATH.csv of contact_path)
 //
-// Ends with 0 if the kit finds the three faults, and none in the repaired update.
+// Exit status: 0 if the checks find the three faults and none in the repaired update, 1 if not, 2 if FOLDER cannot be written.
 #include <cmath>
-#include <filesystem>
 #include <iostream>
+#include <string>
 
+#include "common/output_file.hpp"
+#include "common/program.hpp"
 #include "contactlaws/verify/verify.hpp"
 
 namespace {
@@ -15,7 +18,7 @@ namespace {
 using namespace contactlaws;
 using verify::Vector;
 
-/// Linear spring and dashpot, shear displacement as history, friction: as one finds it in many a code.
+/// Linear spring and dashpot, shear displacement as history, friction: common in DEM codes.
 struct MyLaw {
   bool repaired = false;
   double stiffness_normal = 1e6;  ///< [N/m]
@@ -36,13 +39,13 @@ struct MyLaw {
       return {Vector(0, 0, 0), Vector(0, 0, 0), Vector(0, 0, 0), Vector(0, 0, 0)};
     }
     const Vector arm1 = (a.radius - overlap / 2) * n, arm2 = (overlap / 2 - b.radius) * n;
-    // Fault 1: the sign of a cross product (as in Lethe, PR 889).
+    // Fault 1: the wrong sign of a cross product (as in Lethe, PR 889).
     const Vector at2 = b.velocity + b.spin.cross(arm2);
     const Vector at1 = a.velocity + (repaired ? a.spin.cross(arm1) : arm1.cross(a.spin));
     const Vector velocity = at2 - at1, slip = velocity - velocity.dot(n) * n;
 
     const double normal = stiffness_normal * overlap - damping * velocity.dot(n);
-    // Fault 2: friction where the dashpot pulls and nothing is pressed together (Lethe, PR 1216).
+    // Fault 2: friction although the normal force pulls (Lethe, PR 1216).
     const double strength = friction * (repaired ? std::max(normal, 0.0) : std::abs(normal));
 
     const double length = state.shear.norm();
@@ -58,16 +61,14 @@ struct MyLaw {
     return {force, Vector(-force), Vector(arm1.cross(-force)), Vector(arm2.cross(force))};
   }
 
-  /// When a pair changes its owner, its two bodies swap places.
+  /// The history when bodies 1 and 2 swap places, as they do when a pair changes its owner.
   State exchanged(const State& state) const {
-    // Fault 3: a vector from body 1 to body 2 turns round with them; a scalar would not (LAMMPS and LIGGGHTS treat all alike).
+    // Fault 3: a vector from body 1 to body 2 must change its sign; a scalar must not (LAMMPS and LIGGGHTS treat both alike).
     return repaired ? State{-state.shear} : state;
   }
 };
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(const std::string& folder) {
   verify::Options options;
   options.radius1 = 7.5e-3;
   options.radius2 = 5e-3;
@@ -79,12 +80,10 @@ int main(int argc, char** argv) {
   options.claims.continuous_at_touch = true;
   options.claims.passive = true;
   options.claims.no_ratcheting = true;
+  options.folder = folder;
+  if (!folder.empty()) common::create_folder(folder);
 
   MyLaw law;
-  if (argc > 1) {
-    options.folder = argv[1];
-    std::filesystem::create_directories(options.folder);
-  }
   const verify::Report faulty = verify::check_all(law, options);
   std::cout << "A law with three faults\n" << faulty;
   law.repaired = true;
@@ -95,4 +94,13 @@ int main(int argc, char** argv) {
   for (const char* property : {"rigid spin", "Coulomb bound", "change of owner"})
     found = found && faulty.find(property)->verdict == verify::Verdict::fail;
   return found ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Checks a force update that has three faults, and the same update repaired.", "verify_your_law");
+  std::string folder;
+  app.add_option("FOLDER", folder, "where to write the paths that show the faults (default: nowhere)");
+  return common::run_program(app, argc, argv, [&folder] { return run(folder); });
 }

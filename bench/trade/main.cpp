@@ -52,16 +52,16 @@ int measure(const Arguments& arguments) {
   Effort effort;
   effort.repetitions = arguments.repetitions;
   std::vector<Row> rows;
-  const dem::InterruptGuard guard;
+  const common::InterruptGuard guard;
   {
-    dem::Progress progress("trade");
-    for (std::size_t i = 0; i < laws.size() && !dem::stop_requested(); ++i) {
+    common::Progress progress("trade");
+    for (std::size_t i = 0; i < laws.size() && !common::stop_requested(); ++i) {
       const auto of_law = [&](double done) { progress.at((double(i) + done) / double(laws.size())); };
       const std::vector<Row> more = measure_law(laws[i].first, laws[i].second, effort, of_law);
       rows.insert(rows.end(), more.begin(), more.end());
     }
   }
-  if (dem::stop_requested()) return 130;
+  if (common::stop_requested()) return 130;
   write_table(directory, rows,
               {{"processor", processor()},
                {"compiler", TRADE_COMPILER},

@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../../examples/contact_path/output_file.hpp"
-#include "../../examples/dem/progress.hpp"
+#include "../../examples/common/output_file.hpp"
+#include "../../examples/common/progress.hpp"
 #include "description.hpp"
 #include "families.hpp"
 #include "measure.hpp"
@@ -90,7 +90,7 @@ std::vector<Row> measure_law(const std::string& law_name, const LawDescription& 
       rows.push_back(row);
       done += 1.0 / double(tiers.size() * families().size());
       progress(done);
-      if (dem::stop_requested()) return all;
+      if (common::stop_requested()) return all;
     }
     mark_front(rows);
     all.insert(all.end(), rows.begin(), rows.end());
@@ -101,7 +101,7 @@ std::vector<Row> measure_law(const std::string& law_name, const LawDescription& 
 /// @throws contact_path::InputError naming the file that cannot be written
 inline void write_table(const std::string& directory, const std::vector<Row>& rows,
                         const nlohmann::ordered_json& machine) {
-  contact_path::OutputFile csv(directory + "/trade.csv");
+  common::OutputFile csv(directory + "/trade.csv");
   csv.stream() << "law,scene,axis,tier,composition,ns,state_bytes,largest_error,rms_error,energy_error,rounding,"
                   "rounding_bound,drift,front\n";
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -135,7 +135,7 @@ inline void write_table(const std::string& directory, const std::vector<Row>& ro
                     {"front", r.front}});
   }
   csv.complete();
-  contact_path::OutputFile json(directory + "/trade.json");
+  common::OutputFile json(directory + "/trade.json");
   json.stream() << nlohmann::ordered_json{{"machine", machine}, {"rows", list}}.dump(1) << '\n';
   json.complete();
 }

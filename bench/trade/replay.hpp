@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "../../examples/contact_path/output_file.hpp"
-#include "../../examples/dem/progress.hpp"
+#include "../../examples/common/output_file.hpp"
+#include "../../examples/common/progress.hpp"
 #include "description.hpp"
 #include "features.hpp"
 #include "measure.hpp"
@@ -41,7 +41,7 @@ class Replay {
   /// 0, or 1 if nothing keeps the tolerance. Into `directory`, if one is named: replay.csv.
   int run(std::ostream& out, const std::string& directory) {
     {
-      dem::Progress progress("replay");
+      common::Progress progress("replay");
       reference_ = solve(law_, scene_, [&progress](double done) { progress.at(0.4 * done); });
       judge([&progress](double done) { progress.at(0.4 + 0.2 * done); });
       choose([&progress](double done) { progress.at(0.6 + 0.4 * done); });
@@ -118,7 +118,7 @@ class Replay {
   /// Every composition that was tried. @throws contact_path::InputError naming the file that cannot be written
   void write_table(const std::string& directory) const {
     std::filesystem::create_directories(directory);
-    contact_path::OutputFile csv(directory + "/replay.csv");
+    common::OutputFile csv(directory + "/replay.csv");
     csv.stream() << "composition,ns,timed,state_bytes,largest_error,rms_error,energy_error,kept,chosen\n";
     csv.stream().precision(6);
     for (const Candidate& c : candidates_) {

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The contact of railway ballast, by the parameters of Tolomeo & McDowell (2022), Table 1: the curves of their Figures 1
-// and 2, and what their increments cost and miss beside the closed form.
+// The contact of railway ballast, with the parameters of Tolomeo & McDowell (2022), Table 1: the curves of their Figures 1
+// and 2, and the error and the cost of their increments beside the closed form.
 //
-//   contact_curves [directory]      writes ballast.json, ballast.csv and the curves there (default: build/results)
+//   contact_curves [FOLDER]      writes ballast.json, ballast.csv and the curves (default: build/results)
 //
-// Ends with 0 if every number is right, 1 if one is not, 2 on a fault.
+// Exit status: 0 if every number is right, 1 if one is not, 2 on a fault, 130 after Ctrl-C. After a fault or Ctrl-C the files
+// of an earlier run are unchanged.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <exception>
-#include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "../memo/report.hpp"
+#include "common/output_file.hpp"
+#include "common/program.hpp"
+#include "common/progress.hpp"
+#include "common/report.hpp"
+#include "common/table.hpp"
 #include "contactlaws/contactlaws.hpp"
 #include "expected.hpp"
 #include "pohrt_popov_incremental.hpp"
@@ -22,14 +28,14 @@
 namespace {
 
 using namespace contactlaws;
+using common::Table;
 namespace expected = ballast::expected;
 
 using Elastic = PohrtPopov<double>;
 using Plastic = PohrtPopovElastoPlastic<double>;
-using PlasticFast = PohrtPopovElastoPlastic<double, Recontact::same_spot, Power::fast>;
 using Increments = PohrtPopovIncremental<double>;
 
-// Table 1; R* = 2.36 mm is that of two equal spheres. The density matters to nothing here.
+// Table 1; R* = 2.36 mm is that of two equal spheres. The density has no influence here.
 const RoughSurface<double> surface{2.13, 26.1e-6};
 const ElasticMaterial<double> granite{60e9, 0.25, 2700.0};
 const PairProperties<double> pair = pair_properties(sphere(granite, 4.72e-3), sphere(granite, 4.72e-3));
@@ -40,18 +46,18 @@ NormalResponse<double> virgin(const Law& law, double overlap) {
   return law.respond(state, pair, overlap);
 }
 
-memo::Rows numbers() {
+common::CheckedNumbers checked_numbers() {
   const Elastic law = Elastic::of(surface);
   const Plastic plastic = Plastic::of(surface);
   const HertzResponse<double> transition = hertz_response(pair, law.transition_indentation());
   Plastic::State after_20um;
   plastic.respond(after_20um, pair, 20e-6);
 
-  memo::Rows rows;
-  // A few roundings of 1e-16 each, and an exponent that is itself rounded.
-  const auto add = [&rows](const char* id, const char* unit, std::optional<double> published, double exact,
-                           double computed) {
-    rows.push_back({std::string("contact_curves.") + id, unit, published, exact, computed, 1e-12});
+  common::CheckedNumbers numbers;
+  // Tolerance: a few roundings of 1e-16 each, and a rounded exponent.
+  const auto add = [&numbers](const char* id, const char* unit, std::optional<double> published, double exact,
+                              double computed) {
+    numbers.push_back({std::string("contact_curves.") + id, unit, published, exact, computed, 1e-12});
   };
   add("full_contact_area", "m^2", 6.68e-7, expected::full_contact_area,
       surface.full_contact_area(pair.effective_radius));
@@ -66,28 +72,27 @@ memo::Rows numbers() {
   add("plastic_overlap_after_20um", "m", {}, expected::plastic_overlap_after_20um, plastic.plastic_overlap(after_20um));
   add("exponent", "1", {}, expected::exponent, surface.stiffness_exponent());
   add("shear_ratio", "1", {}, expected::shear_ratio, mindlin_ratio(pair));
-  return rows;
+  return numbers;
 }
 
 /// Figure 1: force and stiffness of both laws.
-void write_curves(const std::string& directory) {
+void write_curves(common::OutputFolder& folder) {
   const Elastic rough = Elastic::of(surface);
-  dem::Table table(
-      {"overlap_m", "hertz_force_N", "hertz_stiffness_N_per_m", "rough_force_N", "rough_stiffness_N_per_m"});
+  Table table({"overlap_m", "hertz_force_N", "hertz_stiffness_N_per_m", "rough_force_N", "rough_stiffness_N_per_m"});
   for (int i = 0; i <= 800; ++i) {
     const double overlap = i * 0.25e-6;
     const HertzResponse<double> hertz = hertz_response(pair, overlap);
     const NormalResponse<double> response = virgin(rough, overlap);
     table.add({overlap, hertz.force, hertz.stiffness, response.force, response.stiffness});
   }
-  table.write_csv(directory + "/ballast_curves.csv");
+  table.write_csv(folder.file("ballast_curves.csv"));
 }
 
 /// Figure 2: loaded to 20 um, unloaded, loaded to 25 um and unloaded again, in steps of 1/50 um.
-void write_cycle(const std::string& directory) {
+void write_cycle(common::OutputFolder& folder) {
   const Plastic law = Plastic::of(surface);
   Plastic::State state;
-  dem::Table table({"overlap_m", "force_N", "loading"});  // 0 open, 1 virgin, 2 unloading, 3 reloading
+  Table table({"overlap_m", "force_N", "loading"});  // 0 open, 1 virgin, 2 unloading, 3 reloading
   int place = 0;
   for (const int turn : {1000, 700, 1250, 700}) {
     const int direction = turn > place ? 1 : -1;
@@ -97,7 +102,7 @@ void write_cycle(const std::string& directory) {
       table.add({overlap, law.respond(state, pair, overlap).force, static_cast<double>(loading)});
     }
   }
-  table.write_csv(directory + "/ballast_cycle.csv");
+  table.write_csv(folder.file("ballast_cycle.csv"));
 }
 
 /// The force after moving from one overlap to another in equal steps.
@@ -121,105 +126,137 @@ double cost(const Law& law) {
     runs.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count() / steps);
   }
   std::nth_element(runs.begin(), runs.begin() + 7, runs.end());
-  return sum >= 0.0 ? runs[7] : 0.0;  // the sum is used: the loop stays
+  return sum >= 0.0 ? runs[7] : 0.0;  // the sum is used, so the compiler keeps the loop
 }
 
-/// Error of the force at 10 um, by the number of steps on the way there, and the price of a step.
-void write_trade(const std::string& directory) {
-  const auto error = [](const auto& law, int steps) {
-    typename std::decay_t<decltype(law)>::State state{};
-    return move(law, state, 0.0, 10e-6, steps) / expected::virgin_force_10um - 1.0;
-  };
-  dem::Table increments({"seed_N", "steps", "relative_error", "ns_per_step"});
-  std::printf("\nForce at 10 um: relative error by steps from 0\n%-18s %9s", "", "ns/step");
-  for (int steps = 10; steps <= 1000000; steps *= 10) std::printf(" %9d", steps);
-  const auto row = [&](const std::string& name, const auto& law, double seed, dem::Table* table) {
-    const double ns = cost(law);
-    std::printf("\n%-18s %9.1f", name.c_str(), ns);
-    for (int decade = 10; decade <= 1000000; decade *= 10) {
-      for (const int steps : {decade, 2 * decade, 5 * decade}) {
-        if (steps > 1000000) break;
-        const double e = error(law, steps);
-        if (table) table->add({seed, static_cast<double>(steps), e, ns});
-        if (steps == decade) std::printf(" %9.1e", e);
-      }
+/// What a loading to 10 um costs and misses, by the number of steps.
+struct StepErrors {
+  std::string name;
+  double ns_per_step;
+  std::vector<std::pair<int, double>> error;  ///< number of steps; relative error of the force
+};
+
+template <class Law>
+StepErrors step_errors(const std::string& name, const Law& law) {
+  StepErrors result{name, cost(law), {}};
+  for (int decade = 10; decade <= 1000000; decade *= 10) {
+    for (const int steps : {decade, 2 * decade, 5 * decade}) {
+      if (steps > 1000000 || common::stop_requested()) break;
+      typename Law::State state{};
+      result.error.emplace_back(steps, move(law, state, 0.0, 10e-6, steps) / expected::virgin_force_10um - 1.0);
     }
-    return ns;
-  };
-  dem::Table closed({"fast", "relative_error", "ns_per_step"});
-  const double accurate_ns = row("closed, accurate", Plastic::of(surface), 0.0, nullptr);
-  const double fast_ns = row("closed, fast", PlasticFast::of(surface), 0.0, nullptr);
-  closed.add({0, error(Plastic::of(surface), 1), accurate_ns});
-  closed.add({1, error(PlasticFast::of(surface), 1), fast_ns});
+  }
+  return result;
+}
+
+/// Error of the force at 10 um, by the number of steps to it, and the cost of a step: the closed form, then the increments.
+template <class Done>
+std::vector<StepErrors> write_trade(common::OutputFolder& folder, const Done& done) {
+  std::vector<StepErrors> all{step_errors("closed form", Plastic::of(surface))};
+  Table closed({"relative_error", "ns_per_step"});
+  closed.add({all[0].error.front().second, all[0].ns_per_step});
+  closed.write_csv(folder.file("ballast_trade_closed.csv"));
+
+  Table increments({"seed_N", "steps", "relative_error", "ns_per_step"});
   for (const double seed : {0.0, 1e-12, 1e-6, 1e-3}) {
     char name[32];
     std::snprintf(name, sizeof name, "seed %g N", seed);
-    row(name, Increments::of(surface, seed), seed, &increments);
+    all.push_back(step_errors(name, Increments::of(surface, seed)));
+    for (const auto& [steps, error] : all.back().error)
+      increments.add({seed, static_cast<double>(steps), error, all.back().ns_per_step});
+    done(static_cast<double>(all.size()) / 5.0);
   }
-  std::printf("\n");
-  increments.write_csv(directory + "/ballast_trade_increments.csv");
-  closed.write_csv(directory + "/ballast_trade_closed.csv");
+  increments.write_csv(folder.file("ballast_trade_increments.csv"));
+  return all;
 }
 
-/// A million cycles up to 20 um: what the peak force becomes, where each cycle parts the bodies, and where it turns at 1 N
-/// as the experiments behind the paper did. Increments take 25 steps up, 25 down; the closed form needs one.
-void write_ratchet(const std::string& directory) {
+void print(const std::vector<StepErrors>& all) {
+  std::printf("\nForce at 10 um: relative error, by the number of steps from 0\n%-18s %9s", "", "ns/step");
+  for (int steps = 10; steps <= 1000000; steps *= 10) std::printf(" %9d", steps);
+  for (const StepErrors& one : all) {
+    std::printf("\n%-18s %9.1f", one.name.c_str(), one.ns_per_step);
+    for (std::size_t i = 0; i < one.error.size(); i += 3) std::printf(" %9.1e", one.error[i].second);
+  }
+  std::printf("\n");
+}
+
+/// Peak forces at 20 um [N]: closed form, bodies separated in each cycle; increments, likewise; increments, unloaded to 1 N.
+using Peaks = std::array<double, 3>;
+
+/// A million cycles up to 20 um. One pair of bodies separates in each cycle, another is unloaded to 1 N, as in the
+/// experiments that the paper cites. Increments take 25 steps up and 25 down; the closed form takes one. Returns the peaks of
+/// the first and the last cycle.
+template <class Done>
+std::pair<Peaks, Peaks> write_ratchet(common::OutputFolder& folder, const Done& done) {
   const Plastic closed = Plastic::of(surface);
   const Increments increments = Increments::of(surface, 1e-12);
   Plastic::State closed_apart, loaded;
   Increments::State apart, held;
   constexpr double peak = 20e-6;
-  const double reopening = (closed.respond(loaded, pair, peak), closed.plastic_overlap(loaded));
-  const double share = 1.0 / expected::virgin_force_20um;  // of the peak force, is 1 N
+  closed.respond(loaded, pair, peak);
+  const double reopening = closed.plastic_overlap(loaded);
+  const double share = 1.0 / expected::virgin_force_20um;  // 1 N over the peak force
   const double at_1N = reopening + (peak - reopening) * std::cbrt(share * share);
 
-  dem::Table table({"cycle", "closed_apart_N", "increments_apart_N", "increments_held_N"});
-  std::array<double, 3> first{}, last{};
+  Table table({"cycle", "closed_apart_N", "increments_apart_N", "increments_held_N"});
+  Peaks first{}, last{};
+  constexpr long cycles = 1000000;
   long next = 1;
-  for (long cycle = 1; cycle <= 1000000; ++cycle) {
+  for (long cycle = 1; cycle <= cycles && !common::stop_requested(); ++cycle) {
     constexpr int steps = 25;
-    const bool begins = cycle == 1;
     last = {move(closed, closed_apart, 0.0, peak, 1), move(increments, apart, 0.0, peak, steps),
-            move(increments, held, begins ? 0.0 : at_1N, peak, steps)};
-    if (begins) first = last;
-    if (cycle == next) {
+            move(increments, held, cycle == 1 ? 0.0 : at_1N, peak, steps)};
+    if (cycle == 1) first = last;
+    if (cycle == next || cycle == cycles) {
       table.add({static_cast<double>(cycle), last[0], last[1], last[2]});
       next = std::max(next + 1, next * 11 / 10);
     }
     move(closed, closed_apart, peak, 0.0, 1);
     move(increments, apart, peak, 0.0, steps);
     move(increments, held, peak, at_1N, steps);
+    if (cycle % 1000 == 0) done(static_cast<double>(cycle) / cycles);
   }
-  table.add({1e6, last[0], last[1], last[2]});
-  table.write_csv(directory + "/ballast_ratchet.csv");
+  table.write_csv(folder.file("ballast_ratchet.csv"));
+  return {first, last};
+}
+
+void print(const std::pair<Peaks, Peaks>& peaks) {
   std::printf("\nPeak force at 20 um in the first and the millionth cycle [N]\n");
-  const char* names[] = {"closed form, parted", "increments, parted", "increments, turned at 1 N"};
-  for (std::size_t i = 0; i < 3; ++i)
-    std::printf("%-28s %.17g  %.17g  (%+.2g)\n", names[i], first[i], last[i], last[i] / first[i] - 1.0);
+  const char* names[] = {"closed form, separated", "increments, separated", "increments, down to 1 N"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double first = peaks.first[i], last = peaks.second[i];
+    std::printf("%-28s %.17g  %.17g  (%+.2g)\n", names[i], first, last, last / first - 1.0);
+  }
 }
 
 int run(const std::string& directory) {
-  std::filesystem::create_directories(directory);
-  const memo::Rows rows = numbers();
-  memo::print("Ballast (Tolomeo & McDowell 2022)", rows);
-  memo::write_json(directory + "/ballast.json", rows);
-  memo::write_csv(directory + "/ballast.csv", rows);
-  write_curves(directory);
-  write_cycle(directory);
-  write_trade(directory);
-  write_ratchet(directory);
-  const bool good = memo::all_pass(rows);
-  std::printf("\n%s\n", good ? "All numbers are right." : "Some numbers are WRONG.");
-  return good ? 0 : 1;
+  const common::InterruptGuard guard;
+  common::OutputFolder folder(directory);
+  const common::CheckedNumbers numbers = checked_numbers();
+  write_json(folder.file("ballast.json"), numbers);
+  write_csv(folder.file("ballast.csv"), numbers);
+  write_curves(folder);
+  write_cycle(folder);
+  std::vector<StepErrors> trade;
+  std::pair<Peaks, Peaks> peaks;
+  {
+    common::Progress progress("ballast");
+    trade = write_trade(folder, [&progress](double done) { progress.at(0.2 * done); });
+    peaks = write_ratchet(folder, [&progress](double done) { progress.at(0.2 + 0.8 * done); });
+  }
+  if (common::stop_requested()) return common::stop_status();
+  folder.complete();
+  print("Ballast (Tolomeo & McDowell 2022)", numbers);
+  print(trade);
+  print(peaks);
+  return verdict(numbers);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc > 1 ? argv[1] : "build/results");
-  } catch (const std::exception& fault) {
-    std::fprintf(stderr, "contact_curves: %s\n", fault.what());
-    return 2;
-  }
+  CLI::App app("Computes the contact curves of railway ballast (Tolomeo & McDowell 2022).", "contact_curves");
+  std::string directory = "build/results";
+  app.add_option("FOLDER", directory, "where to write the results (default: build/results)");
+  return common::run_program(app, argc, argv, [&directory] { return run(directory); });
 }

@@ -7,7 +7,7 @@
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 from page import COMPUTED, LIGHT, OTHER, PUBLISHED, Results, plt, save, table, verdict, write_section  # noqa: E402
 
 import numpy as np  # noqa: E402

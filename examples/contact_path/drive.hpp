@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "build_law.hpp"
+#include "common/progress.hpp"
 #include "contactlaws/energy.hpp"
 #include "path_file.hpp"
 
@@ -107,7 +108,7 @@ class Drive {
 
 }  // namespace detail
 
-/// @throws InputError naming what is wrong in the file, the law or their combination
+/// Ends early if a stop is requested. @throws InputError naming what is wrong in the file, the law or their combination
 template <class T>
 void drive(const LawDescription& description, const std::string& path_file, std::ostream& out) {
   const LawSlots<T> slots = build_law<T>(description);
@@ -117,7 +118,10 @@ void drive(const LawDescription& description, const std::string& path_file, std:
         using Law = contactlaws::ContactLaw<AnyNormal<T>, std::decay_t<decltype(damping)>,
                                             std::decay_t<decltype(shear)>, std::decay_t<decltype(bridge)>>;
         detail::Drive<Law> contact({slots.normal, damping, shear, bridge}, slots.pair, slots.starts_wet, out);
-        for (const PathStep<T>& step : path) contact.step(step, {path_file, step.line});
+        for (const PathStep<T>& step : path) {
+          if (stop_requested()) return;
+          contact.step(step, {path_file, step.line});
+        }
       },
       slots.damping, slots.shear, slots.bridge);
 }

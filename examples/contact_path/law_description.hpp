@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "number.hpp"
+#include "common/number.hpp"
 
 namespace contact_path {
+
+using namespace common;
 
 /// A number of the file. Its range has been checked.
 struct Number {

@@ -4,19 +4,19 @@
 //   contact_path LAW.toml PATH.csv [-o OUT.csv] [--precision double|float|long|200]
 //   contact_path --list
 //
-// Ends with 0, or with 2 on a fault in its input, which it names; then there is no output.
-#include <exception>
+// Ends with 0; with 2 on a fault in its input, which it names; with 130 after Ctrl-C. After a fault or Ctrl-C there is no
+// output.
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "common/output_file.hpp"
+#include "common/program.hpp"
+#include "common/progress.hpp"
 #include "contactlaws/scalars/multiprecision.hpp"
 #include "law_file.hpp"
 #include "list.hpp"
-#include "output_file.hpp"
 
 namespace contact_path {
 
@@ -39,13 +39,13 @@ struct Arguments {
   std::string precision = "double";
 };
 
-void run(const Arguments& arguments) {
+int run(const Arguments& arguments) {
   const LawDescription law = read_law(arguments.law);
   const Driver drive_law = drivers.at(arguments.precision);
+  const InterruptGuard guard;
   if (arguments.out.empty()) {
     drive_law(law, arguments.path, std::cout);
-    if (!std::cout.flush()) throw InputError("the standard output cannot be written");
-    return;
+    return stop_requested() ? stop_status() : 0;
   }
   for (const std::string& input : {arguments.law, arguments.path}) {
     std::error_code not_there;
@@ -54,7 +54,9 @@ void run(const Arguments& arguments) {
   }
   OutputFile out(arguments.out);
   drive_law(law, arguments.path, out.stream());
+  if (stop_requested()) return stop_status();
   out.complete();
+  return 0;
 }
 
 }  // namespace
@@ -62,7 +64,8 @@ void run(const Arguments& arguments) {
 }  // namespace contact_path
 
 int main(int argc, char** argv) {
-  CLI::App app("Drives a contact law along an imposed motion, and writes the force and the state at every step.");
+  CLI::App app("Drives a contact law along an imposed motion, and writes the force and the state at every step.",
+               "contact_path");
   contact_path::Arguments arguments;
   const auto list = [] {
     contact_path::list_all(std::cout);
@@ -74,14 +77,5 @@ int main(int argc, char** argv) {
   app.add_option("--precision", arguments.precision, "what to compute in (default: double)")
       ->check(CLI::IsMember({"double", "float", "long", "200"}));
   app.add_flag_callback("--list", list, "prints laws, parameters, units and ranges, and the columns of the files");
-  try {
-    app.parse(argc, argv);
-    contact_path::run(arguments);
-    return 0;
-  } catch (const CLI::ParseError& fault) {
-    return app.exit(fault) == 0 ? 0 : 2;
-  } catch (const std::exception& fault) {
-    std::cerr << "contact_path: " << fault.what() << '\n';
-    return 2;
-  }
+  return common::run_program(app, argc, argv, [&arguments] { return contact_path::run(arguments); });
 }

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "common/csv_file.hpp"
 #include "contactlaws/kinematics.hpp"
-#include "csv_file.hpp"
 
 namespace contact_path {
+
+using namespace common;
 
 inline const std::vector<Column>& path_columns() {
   using contactlaws::Range;

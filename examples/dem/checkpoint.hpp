@@ -9,7 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "output.hpp"
+#include "common/output_file.hpp"
+#include "simulation.hpp"
 
 namespace dem {
 
@@ -50,7 +51,7 @@ void from_json(const nlohmann::json& list, Contacts<Law, T>& contacts) {
 
 }  // namespace detail
 
-/// @throws std::runtime_error naming the file that cannot be written
+/// @throws common::InputError naming the file that cannot be written
 template <class Scene>
 void save(const std::string& path, const Scene& scene) {
   std::vector<Vec3> wall_points;
@@ -68,7 +69,9 @@ void save(const std::string& path, const Scene& scene) {
       {"ball_contacts", detail::to_json(scene.ball_contacts)},
       {"wall_contacts", detail::to_json(scene.wall_contacts)},
   };
-  detail::open_for_writing(path) << checkpoint.dump(1) << '\n';
+  common::OutputFile file(path);
+  file.stream() << checkpoint.dump(1) << '\n';
+  file.complete();
 }
 
 /// Takes up what save() wrote, in a scene built alike that has not moved yet. @throws std::runtime_error if the file cannot

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Files that other programs read: tables as CSV (spreadsheets, Python), scenes as legacy VTK (ParaView opens them).
+// Scenes as legacy VTK files, which ParaView opens. Give streams 17 digits (common::OutputFile does).
 #pragma once
 
-#include <fstream>
-#include <initializer_list>
-#include <stdexcept>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -14,17 +12,9 @@ namespace dem {
 
 namespace detail {
 
-/// @throws std::runtime_error naming the file that cannot be written
-inline std::ofstream open_for_writing(const std::string& path) {
-  std::ofstream file(path);
-  if (!file) throw std::runtime_error("cannot write " + path);
-  file.precision(17);  // a double survives the way there and back
-  return file;
-}
-
 /// One field of the VTK file: `kind` is "SCALARS name double 1\nLOOKUP_TABLE default" or "VECTORS name double".
 template <class Value>
-void write_field(std::ofstream& file, const std::string& kind, std::size_t count, const Value& value) {
+void write_field(std::ostream& file, const std::string& kind, std::size_t count, const Value& value) {
   file << kind << '\n';
   for (std::size_t i = 0; i < count; ++i) file << value(i) << '\n';
 }
@@ -34,35 +24,9 @@ inline std::string vectors(const std::string& name) { return "VECTORS " + name +
 
 }  // namespace detail
 
-/// Columns with names, filled row by row.
-class Table {
- public:
-  explicit Table(std::initializer_list<std::string> columns) : columns_(columns) {}
-
-  void add(std::initializer_list<double> row) { rows_.emplace_back(row); }
-  const std::vector<std::vector<double>>& rows() const { return rows_; }
-
-  /// @throws std::runtime_error naming the file that cannot be written
-  void write_csv(const std::string& path) const {
-    std::ofstream file = detail::open_for_writing(path);
-    for (std::size_t i = 0; i < columns_.size(); ++i) file << (i == 0 ? "" : ",") << columns_[i];
-    file << '\n';
-    for (const std::vector<double>& row : rows_) {
-      for (std::size_t i = 0; i < row.size(); ++i) file << (i == 0 ? "" : ",") << row[i];
-      file << '\n';
-    }
-  }
-
- private:
-  std::vector<std::string> columns_;
-  std::vector<std::vector<double>> rows_;
-};
-
 /// The balls, as points with radius, velocity, spin and force. In ParaView: Glyph, Sphere, scaled by `radius` x 2.
-/// @throws std::runtime_error naming the file that cannot be written
-inline void write_balls_vtk(const std::string& path, const Balls& balls) {
+inline void write_balls_vtk(std::ostream& file, const Balls& balls) {
   const Eigen::IOFormat in_a_line(17, Eigen::DontAlignCols, " ", " ");
-  std::ofstream file = detail::open_for_writing(path);
   const std::size_t count = balls.size();
   file << "# vtk DataFile Version 3.0\nballs, in m, kg, s\nASCII\nDATASET POLYDATA\nPOINTS " << count << " double\n";
   for (const Vec3& p : balls.position) file << p.format(in_a_line) << '\n';
@@ -80,12 +44,11 @@ inline void write_balls_vtk(const std::string& path, const Balls& balls) {
 }
 
 /// The active contacts between balls, as lines from centre to centre with the normal force (tension < 0) and the shear
-/// force [N]. In ParaView: Tube. @throws std::runtime_error naming the file that cannot be written
+/// force [N]. In ParaView: Tube.
 template <class Scene>
-void write_contacts_vtk(const std::string& path, const Scene& scene) {
+void write_contacts_vtk(std::ostream& file, const Scene& scene) {
   const Balls& balls = scene.balls;
   const Eigen::IOFormat in_a_line(17, Eigen::DontAlignCols, " ", " ");
-  std::ofstream file = detail::open_for_writing(path);
   std::vector<std::size_t> active;
   for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c)
     if (scene.ball_contact(c).response.active) active.push_back(c);

@@ -6,9 +6,9 @@
 #include <map>
 #include <vector>
 
+#include "common/table.hpp"
 #include "contactlaws/kinematics.hpp"
 #include "neighbours.hpp"
-#include "output.hpp"
 
 namespace dem {
 
@@ -41,8 +41,7 @@ class Recording {
     now_.clear();
   }
 
-  /// @throws std::runtime_error naming the file that cannot be written
-  void write_csv(const std::string& path) const { rows_.write_csv(path); }
+  void write_csv(std::ostream& out) const { rows_.write_csv(out); }
 
  private:
   /// A contact since its last row.
@@ -57,7 +56,7 @@ class Recording {
   int steps_ = 0;
   std::size_t next_number_ = 0;
   std::map<Pair, Going> before_, now_;
-  Table rows_{"contact", "dt", "overlap", "nx", "ny", "nz", "vx", "vy", "vz", "spin"};
+  common::Table rows_{"contact", "dt", "overlap", "nx", "ny", "nz", "vx", "vy", "vz", "spin"};
 };
 
 }  // namespace dem

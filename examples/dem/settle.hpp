@@ -2,8 +2,8 @@
 // Running a scene until it rests.
 #pragma once
 
+#include "common/progress.hpp"
 #include "measures.hpp"
-#include "progress.hpp"
 
 namespace dem {
 
@@ -19,7 +19,7 @@ bool settle(Scene& scene, const Settling& settling, const Watch& watch) {
   constexpr int every = 10;  // steps between looks at the scene: an impact takes more, and the looks cost little
   constexpr int hold = 100;  // times that the ratio must be found small: a force may also pass through zero
   int held = 0;
-  for (std::int64_t step = 0; step < settling.most_steps && !stop_requested(); ++step) {
+  for (std::int64_t step = 0; step < settling.most_steps && !common::stop_requested(); ++step) {
     if (step % every == 0) {
       scene.time_step = settling.safety * stable_time_step(scene);
       held = step > 0 && unbalanced_ratio(scene) < settling.ratio ? held + 1 : 0;

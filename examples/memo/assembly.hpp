@@ -5,22 +5,23 @@
 
 #include <string>
 
-#include "../dem/settle.hpp"
+#include "dem/output.hpp"
+#include "dem/settle.hpp"
 #include "expected.hpp"
 #include "force_displacement.hpp"
-#include "report.hpp"
 
 namespace memo {
 
-inline void write_grains(const std::string& path, const dem::Balls& balls) {
-  dem::Table grains{"x_m", "y_m", "z_m", "radius_m"};
+/// Writes NAME.csv and NAME.vtk.
+inline void write_grains(OutputFolder& folder, const std::string& name, const dem::Balls& balls) {
+  Table grains{"x_m", "y_m", "z_m", "radius_m"};
   for (std::size_t i = 0; i < balls.size(); ++i)
     grains.add({balls.position[i].x(), balls.position[i].y(), balls.position[i].z(), balls.radius[i]});
-  grains.write_csv(path + ".csv");
-  dem::write_balls_vtk(path + ".vtk", balls);
+  grains.write_csv(folder.file(name + ".csv"));
+  dem::write_balls_vtk(folder.file(name + ".vtk"), balls);
 }
 
-inline void grain_assembly(const std::string& directory, Rows& rows) {
+inline void grain_assembly(OutputFolder& folder, CheckedNumbers& numbers) {
   constexpr double radius = 5e-3, edge = 50e-3;  // the memo gives no size for the box
   contactlaws::LinearFriction<double> at_walls = linear_law(friction);
   at_walls.normal.modulus = 29e6;
@@ -35,17 +36,17 @@ inline void grain_assembly(const std::string& directory, Rows& rows) {
       for (int z = -1; z <= 1; ++z)
         scene.add(
             dem::Ball{contactlaws::sphere(granite, radius), Vec3::Constant(edge / 2.0) + 2.0 * radius * Vec3(x, y, z)});
-  write_grains(directory + "/assembly_before", scene.balls);
+  write_grains(folder, "assembly_before", scene.balls);
 
   const dem::Wall& bottom = scene.walls[4];
-  dem::Table history{"time_s", "bottom_wall_force_N"};
+  Table history{"time_s", "bottom_wall_force_N"};
   dem::settle(scene, {1e-9, 0.2, 1000000}, [&] {
     if (scene.steps % 10 == 0) history.add({scene.time, bottom.force.norm()});
   });
-  history.write_csv(directory + "/assembly_history.csv");
-  write_grains(directory + "/assembly_after", scene.balls);
-  dem::write_contacts_vtk(directory + "/assembly_contacts.vtk", scene);
-  rows.push_back(
+  history.write_csv(folder.file("assembly_history.csv"));
+  write_grains(folder, "assembly_after", scene.balls);
+  dem::write_contacts_vtk(folder.file("assembly_contacts.vtk"), scene);
+  numbers.push_back(
       {"grain_assembly.bottom_wall_force", "N", 0.368, expected::assembly_weight, bottom.force.norm(), equilibrium});
 }
 

@@ -11,13 +11,12 @@
 
 #include "expected.hpp"
 #include "force_displacement.hpp"
-#include "report.hpp"
 
 namespace memo {
 
 /// The top grain pressed into the pole of the bottom grain to 30 mm: overlap [m] and normal force [N] at each step.
 template <class Law>
-dem::Table press_deep(const Law& law) {
+Table press_deep(const Law& law) {
   dem::Simulation<Law> scene(law);
   scene.add(dem::Wall{contactlaws::sphere(granite, bottom_radius), {0.0, 0.0, bottom_radius}, Vec3::UnitZ()});
   const int top =
@@ -26,8 +25,8 @@ dem::Table press_deep(const Law& law) {
   // step/overlap = 2e-5, and the rounding that the difference of two forces brings up is 1e-16 over 2e-5.
   scene.drive(top, {0.0, 0.0, -0.25});
   scene.time_step = 1e-6;
-  dem::Table curve{"overlap_m", "force_N"};
-  for (int i = 0; i < 120000 && !dem::stop_requested(); ++i) {
+  Table curve{"overlap_m", "force_N"};
+  for (int i = 0; i < 120000 && !stop_requested(); ++i) {
     scene.step();
     curve.add({scene.wall_contact(0).geometry.overlap, scene.wall_contact(0).response.normal_force});
   }
@@ -41,11 +40,11 @@ inline double rises_through_zero(const std::vector<double>& x, const std::vector
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-inline void crossover(const std::string& directory, Rows& rows) {
-  const dem::Table linear = press_deep(linear_law(friction)), hill = press_deep(hill_law(friction));
+inline void crossover(OutputFolder& folder, CheckedNumbers& numbers) {
+  const Table linear = press_deep(linear_law(friction)), hill = press_deep(hill_law(friction));
   std::vector<double> overlap, lead;    // of the hill law's force over the linear law's [N], at an overlap
   std::vector<double> midway, steeper;  // the lead's slope [N/m], midway between two
-  dem::Table curves{"overlap_m", "linear_force_N", "hill_force_N"};
+  Table curves{"overlap_m", "linear_force_N", "hill_force_N"};
   for (std::size_t i = 0; i < linear.rows().size(); ++i) {
     const double o = linear.rows()[i][0], at_linear = linear.rows()[i][1], at_hill = hill.rows()[i][1];
     overlap.push_back(o);
@@ -56,11 +55,11 @@ inline void crossover(const std::string& directory, Rows& rows) {
     }
     if (i % 200 == 199) curves.add({o, at_linear, at_hill});
   }
-  curves.write_csv(directory + "/crossover.csv");
-  rows.push_back({"two_grains.crossover.stiffness_overlap", "m", 12.5e-3, expected::crossover_stiffness_overlap,
-                  rises_through_zero(midway, steeper), prescribed});
-  rows.push_back({"two_grains.crossover.force_overlap", "m", 28.2e-3, expected::crossover_force_overlap,
-                  rises_through_zero(overlap, lead), prescribed});
+  curves.write_csv(folder.file("crossover.csv"));
+  numbers.push_back({"two_grains.crossover.stiffness_overlap", "m", 12.5e-3, expected::crossover_stiffness_overlap,
+                     rises_through_zero(midway, steeper), prescribed});
+  numbers.push_back({"two_grains.crossover.force_overlap", "m", 28.2e-3, expected::crossover_force_overlap,
+                     rises_through_zero(overlap, lead), prescribed});
 }
 
 }  // namespace memo

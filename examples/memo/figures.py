@@ -10,7 +10,7 @@ memo's own numbers and formulas.
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 from page import COMPUTED, LIGHT, OTHER, PUBLISHED, Results, plt, published_point, save, table, verdict, write_section  # noqa: E402
 
 import matplotlib  # noqa: E402

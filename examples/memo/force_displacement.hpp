@@ -5,7 +5,6 @@
 #include <string>
 
 #include "expected.hpp"
-#include "report.hpp"
 #include "two_grains.hpp"
 
 namespace memo {
@@ -22,10 +21,10 @@ inline contactlaws::Hill<double> hill_law(double mu) { return contactlaws::hill<
 
 /// The two grains after stage A, down by 0.1 mm, and stage B, the top grain turned by 0.02 rad. The path goes to a CSV file.
 template <class Law>
-TwoGrains<Law> stages_a_and_b(const Law& law, const std::string& csv) {
+TwoGrains<Law> stages_a_and_b(const Law& law, std::ostream& csv) {
   constexpr int steps = 200;
   TwoGrains<Law> grains(law);
-  dem::Table path{"gap_m", "normal_force_N", "shear_displacement_m", "shear_force_N"};
+  Table path{"gap_m", "normal_force_N", "shear_displacement_m", "shear_force_N"};
   const auto record = [&] {
     const Sight s = grains.sight();
     path.add({s.gap, s.normal_force, s.shear_displacement, s.shear_force});
@@ -36,42 +35,43 @@ TwoGrains<Law> stages_a_and_b(const Law& law, const std::string& csv) {
   return grains;
 }
 
-inline void force_displacement(const std::string& directory, Rows& rows) {
+inline void force_displacement(OutputFolder& folder, CheckedNumbers& numbers) {
   const std::string two = "two_grains.";
-  const Sight linear = stages_a_and_b(linear_law(friction), directory + "/linear.csv").sight();
-  const Sight linear_unlimited = stages_a_and_b(linear_law(no_limit), directory + "/linear_unlimited.csv").sight();
-  rows.push_back(
+  const Sight linear = stages_a_and_b(linear_law(friction), folder.file("linear.csv")).sight();
+  const Sight linear_unlimited = stages_a_and_b(linear_law(no_limit), folder.file("linear_unlimited.csv")).sight();
+  numbers.push_back(
       {two + "linear.normal_force", "N", 1.8221e4, expected::linear_normal_force, linear.normal_force, prescribed});
-  rows.push_back(
+  numbers.push_back(
       {two + "linear.shear_force", "N", 7.2884e3, expected::linear_shear_force, linear.shear_force, prescribed});
-  rows.push_back({two + "linear.shear_unlimited", "N", 1.8039e4, expected::linear_shear_unlimited,
-                  linear_unlimited.shear_force, prescribed});
+  numbers.push_back({two + "linear.shear_unlimited", "N", 1.8039e4, expected::linear_shear_unlimited,
+                     linear_unlimited.shear_force, prescribed});
 
-  auto hill = stages_a_and_b(hill_law(friction), directory + "/hill.csv");
-  auto hill_unlimited = stages_a_and_b(hill_law(no_limit), directory + "/hill_unlimited.csv");
-  rows.push_back(
+  auto hill = stages_a_and_b(hill_law(friction), folder.file("hill.csv"));
+  auto hill_unlimited = stages_a_and_b(hill_law(no_limit), folder.file("hill_unlimited.csv"));
+  numbers.push_back(
       {two + "hill.normal_force", "N", 1.0833e3, expected::hill_normal_force, hill.sight().normal_force, prescribed});
-  rows.push_back({two + "hill.shear_force", "N", {}, expected::hill_shear_force, hill.sight().shear_force, prescribed});
-  rows.push_back({two + "hill.shear_unlimited", "N", 1.4783e3, expected::hill_shear_unlimited,
-                  hill_unlimited.sight().shear_force, prescribed});
+  numbers.push_back(
+      {two + "hill.shear_force", "N", {}, expected::hill_shear_force, hill.sight().shear_force, prescribed});
+  numbers.push_back({two + "hill.shear_unlimited", "N", 1.4783e3, expected::hill_shear_unlimited,
+                     hill_unlimited.sight().shear_force, prescribed});
 
   // The dashpots are switched on only now, so that the forces so far owe nothing to them. One step of motion, one of rest.
   const auto nothing = [] {};
   hill.scene.ball_law.damping.damping_constant = damping_constant;
   hill.run({0.0, 0.0, -100.0}, Vec3::Zero(), 1, nothing);
-  rows.push_back({two + "hill.dashpot_normal.moving", "N", 3.9604e3, expected::dashpot_normal_moving,
-                  hill.sight().normal_force, prescribed});
+  numbers.push_back({two + "hill.dashpot_normal.moving", "N", 3.9604e3, expected::dashpot_normal_moving,
+                     hill.sight().normal_force, prescribed});
   hill.run(Vec3::Zero(), Vec3::Zero(), 1, nothing);
-  rows.push_back({two + "hill.dashpot_normal.stopped", "N", 3.0640e3, expected::dashpot_normal_stopped,
-                  hill.sight().normal_force, prescribed});
+  numbers.push_back({two + "hill.dashpot_normal.stopped", "N", 3.0640e3, expected::dashpot_normal_stopped,
+                     hill.sight().normal_force, prescribed});
 
   hill_unlimited.scene.ball_law.damping.damping_constant = damping_constant;
   hill_unlimited.run(Vec3::Zero(), {0.0, 1000.0, 0.0}, 1, nothing);
-  rows.push_back({two + "hill.dashpot_shear.moving", "N", 1.5960e3, expected::dashpot_shear_moving,
-                  hill_unlimited.sight().shear_force, prescribed});
+  numbers.push_back({two + "hill.dashpot_shear.moving", "N", 1.5960e3, expected::dashpot_shear_moving,
+                     hill_unlimited.sight().shear_force, prescribed});
   hill_unlimited.run(Vec3::Zero(), Vec3::Zero(), 1, nothing);
-  rows.push_back({two + "hill.dashpot_shear.stopped", "N", 1.5522e3, expected::dashpot_shear_stopped,
-                  hill_unlimited.sight().shear_force, prescribed});
+  numbers.push_back({two + "hill.dashpot_shear.stopped", "N", 1.5522e3, expected::dashpot_shear_stopped,
+                     hill_unlimited.sight().shear_force, prescribed});
 }
 
 }  // namespace memo

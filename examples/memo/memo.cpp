@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The test problems of Potyondy (2019), Hill Contact Model, version 4, run through the integrator of examples/dem:
 //
-//   memo [directory]      writes memo.json, memo.csv, eight_laws.json and the curves there (default: build/results)
+//   memo [FOLDER]      writes memo.json, memo.csv, eight_laws.json, eight_laws.csv and the curves (default: build/results)
 //
-// Ends with 0 if every number is right, 1 if one is not, 2 on a fault, 130 if stopped with Ctrl-C (with what it had by then).
+// Exit status: 0 if every number is right, 1 if one is not, 2 on a fault, 130 after Ctrl-C. After a fault or Ctrl-C the files
+// of an earlier run are unchanged.
 #include <cstdio>
-#include <exception>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "assembly.hpp"
+#include "common/program.hpp"
 #include "crossover.hpp"
 #include "force_displacement.hpp"
 #include "moisture.hpp"
@@ -20,49 +20,39 @@
 namespace {
 
 int run(const std::string& directory) {
-  std::filesystem::create_directories(directory);
-  memo::Rows rows, laws;
-  const std::vector<std::function<void()>> problems{[&] { memo::force_displacement(directory, rows); },
-                                                    [&] { memo::crossover(directory, rows); },
-                                                    [&] { memo::MoistureProblem().run(directory, rows); },
-                                                    [&] { memo::grain_assembly(directory, rows); },
-                                                    [&] { memo::appendix_a(directory, rows); },
+  const common::InterruptGuard guard;
+  common::OutputFolder folder(directory);
+  common::CheckedNumbers numbers, laws;
+  const std::vector<std::function<void()>> problems{[&] { memo::force_displacement(folder, numbers); },
+                                                    [&] { memo::crossover(folder, numbers); },
+                                                    [&] { memo::MoistureProblem().run(folder, numbers); },
+                                                    [&] { memo::grain_assembly(folder, numbers); },
+                                                    [&] { memo::appendix_a(folder, numbers); },
                                                     [&] { laws = memo::eight_laws(); }};
-  const dem::InterruptGuard guard;
   {
-    dem::Progress progress("the memo's problems");
-    for (std::size_t i = 0; i < problems.size() && !dem::stop_requested(); ++i) {
-      const auto rows_before = rows, laws_before = laws;
+    common::Progress progress("the memo's problems");
+    for (std::size_t i = 0; i < problems.size(); ++i) {
       problems[i]();
-      if (dem::stop_requested()) {  // what a problem yields that was stopped midway is not its result
-        rows = rows_before;
-        laws = laws_before;
-      }
+      if (common::stop_requested()) return common::stop_status();
       progress.at(static_cast<double>(i + 1) / static_cast<double>(problems.size()));
     }
   }
-  memo::print("Hill memo (Potyondy 2019)", rows);
-  memo::print("One path through four shear histories", laws);
-  memo::write_json(directory + "/memo.json", rows);
-  memo::write_csv(directory + "/memo.csv", rows);
-  memo::write_json(directory + "/eight_laws.json", laws);
-  memo::write_csv(directory + "/eight_laws.csv", laws);
-  if (dem::stop_requested()) {
-    std::printf("\nStopped: these are the results so far.\n");
-    return 130;
-  }
-  const bool good = memo::all_pass(rows) && memo::all_pass(laws);
-  std::printf("\n%s\n", good ? "All numbers are right." : "Some numbers are WRONG.");
-  return good ? 0 : 1;
+  write_json(folder.file("memo.json"), numbers);
+  write_csv(folder.file("memo.csv"), numbers);
+  write_json(folder.file("eight_laws.json"), laws);
+  write_csv(folder.file("eight_laws.csv"), laws);
+  folder.complete();
+  print("Hill memo (Potyondy 2019)", numbers);
+  print("One path through four shear histories", laws);
+  numbers.insert(numbers.end(), laws.begin(), laws.end());
+  return verdict(numbers);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc > 1 ? argv[1] : "build/results");
-  } catch (const std::exception& fault) {
-    std::fprintf(stderr, "memo: %s\n", fault.what());
-    return 2;
-  }
+  CLI::App app("Runs the test problems of the Hill memo (Potyondy 2019).", "memo");
+  std::string directory = "build/results";
+  app.add_option("FOLDER", directory, "where to write the results (default: build/results)");
+  return common::run_program(app, argc, argv, [&directory] { return run(directory); });
 }

@@ -6,9 +6,8 @@
 
 #include <string>
 
-#include "../dem/settle.hpp"
+#include "dem/settle.hpp"
 #include "expected.hpp"
-#include "report.hpp"
 #include "two_grains.hpp"
 
 namespace memo {
@@ -17,7 +16,7 @@ class MoistureProblem {
  public:
   using Law = contactlaws::Hill<double>;
 
-  void run(const std::string& directory, Rows& rows) {
+  void run(OutputFolder& folder, CheckedNumbers& numbers) {
     add_moisture(0.0);
     const double rest = release(13);
 
@@ -31,18 +30,20 @@ class MoistureProblem {
     add_moisture(2.5e-3);
     const double rewetted = release(16);
 
-    path_.write_csv(directory + "/moisture.csv");
-    rows.push_back({"two_grains.moisture.rest_overlap", "m", {}, expected::moisture_rest_overlap, rest, equilibrium});
-    rows.push_back(
+    path_.write_csv(folder.file("moisture.csv"));
+    numbers.push_back(
+        {"two_grains.moisture.rest_overlap", "m", {}, expected::moisture_rest_overlap, rest, equilibrium});
+    numbers.push_back(
         {"two_grains.moisture.released_overlap", "m", {}, expected::moisture_rest_overlap, released, equilibrium});
-    rows.push_back({"two_grains.moisture.rupture_gap", "m", {}, expected::moisture_rupture_gap, rupture, prescribed});
-    rows.push_back(
+    numbers.push_back(
+        {"two_grains.moisture.rupture_gap", "m", {}, expected::moisture_rupture_gap, rupture, prescribed});
+    numbers.push_back(
         {"two_grains.moisture.rewetted_overlap", "m", {}, expected::moisture_rest_overlap, rewetted, equilibrium});
   }
 
  private:
   TwoGrains<Law> grains_{contactlaws::hill<double>({friction, suction, damping_constant})};
-  dem::Table path_{"figure", "time_s", "gap_m", "surface_force_N", "moisture_force_N", "wet", "released"};
+  Table path_{"figure", "time_s", "gap_m", "surface_force_N", "moisture_force_N", "wet", "released"};
 
   bool wet() const {
     const auto& contacts = grains_.scene.ball_contacts;
@@ -94,7 +95,7 @@ class MoistureProblem {
     constexpr int steps = 1000;
     scene.time_step = std::abs(target - gap()) / steps;
     scene.drive(grains_.top, {0.0, 0.0, target > gap() ? 1.0 : -1.0});
-    for (int i = 0; i < steps && !dem::stop_requested(); ++i) {
+    for (int i = 0; i < steps && !stop_requested(); ++i) {
       scene.step();
       record(figure, false);
     }
@@ -105,7 +106,7 @@ class MoistureProblem {
     auto& scene = grains_.scene;
     scene.drive(grains_.top, Vec3::UnitZ());
     scene.time_step = 1e-5;
-    while (scene.time_step > 1e-15 && !dem::stop_requested()) {  // at 1 m/s: 1e-13 of the gap
+    while (scene.time_step > 1e-15 && !stop_requested()) {  // at 1 m/s: 1e-13 of the gap
       const auto before = scene;
       scene.step();
       if (wet()) {

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "expected.hpp"
-#include "report.hpp"
 #include "two_grains.hpp"
 
 namespace memo {
@@ -25,10 +24,10 @@ Law with_friction(double mu) {
 
 /// Appendix A: press to o_A, shear to F_A, press to 2 o_A. Returns the shear force at the end over F_A.
 template <class Law>
-double shear_then_press(const std::string& csv) {
+double shear_then_press(std::ostream& csv) {
   constexpr int steps = 100;
   TwoGrains<Law> grains(with_friction<Law>(10.0));
-  dem::Table path{"overlap_m", "shear_displacement_m", "shear_force_N"};
+  Table path{"overlap_m", "shear_displacement_m", "shear_force_N"};
   const auto record = [&] {
     path.add({-grains.sight().gap, grains.sight().shear_displacement, grains.sight().shear_force});
   };
@@ -40,19 +39,19 @@ double shear_then_press(const std::string& csv) {
   return grains.sight().shear_force / sheared;
 }
 
-inline void appendix_a(const std::string& directory, Rows& rows) {
-  rows.push_back({"shear_update.force_history_ratio",
-                  "1",
-                  {},
-                  1.0,
-                  shear_then_press<HertzWith<contactlaws::ShearForce>>(directory + "/shear_update_force.csv"),
-                  prescribed});
-  rows.push_back(
+inline void appendix_a(OutputFolder& folder, CheckedNumbers& numbers) {
+  numbers.push_back({"shear_update.force_history_ratio",
+                     "1",
+                     {},
+                     1.0,
+                     shear_then_press<HertzWith<contactlaws::ShearForce>>(folder.file("shear_update_force.csv")),
+                     prescribed});
+  numbers.push_back(
       {"shear_update.displacement_history_ratio",
        "1",
        {},
        expected::square_root_of_2,
-       shear_then_press<HertzWith<contactlaws::ShearDisplacement>>(directory + "/shear_update_displacement.csv"),
+       shear_then_press<HertzWith<contactlaws::ShearDisplacement>>(folder.file("shear_update_displacement.csv")),
        prescribed});
 }
 
@@ -81,12 +80,13 @@ struct Force {
 
 /// That path, then back to half the overlap, and to the whole again: shear forces there.
 template <class Law>
-void one_of_eight_laws(const std::string& name, const Force& backed_off, const Force& returned, Rows& rows) {
+void one_of_eight_laws(const std::string& name, const Force& backed_off, const Force& returned,
+                       CheckedNumbers& numbers) {
   constexpr int steps = 1000;
   const auto nothing = [] {};
   auto grains = press_and_go_round<Law>(10.0);
   const auto row = [&](const char* what, const Force& force, double computed) {
-    rows.push_back({"eight_laws." + name + "." + what, "N", force.published, force.expected, computed, along_arc});
+    numbers.push_back({"eight_laws." + name + "." + what, "N", force.published, force.expected, computed, along_arc});
   };
   row("normal_force", {1083.304632, expected::hill_normal_force}, grains.sight().normal_force);
   row("shear_force", {1478.27164, expected::hill_shear_unlimited}, grains.sight().shear_force);
@@ -101,17 +101,17 @@ void one_of_eight_laws(const std::string& name, const Force& backed_off, const F
 }
 
 /// The published figures are those of LAMMPS on this path: mindlin/force, mindlin_rescale/force, mindlin, mindlin_rescale.
-inline Rows eight_laws() {
+inline CheckedNumbers eight_laws() {
   using namespace contactlaws;
   const Force whole{1478.27164, expected::hill_shear_unlimited};
   const Force root_half{1045.29590, expected::shear_root_half};
   const Force half{739.135823, expected::shear_half};
-  Rows rows;
-  one_of_eight_laws<HertzWith<ShearForce>>("force", whole, whole, rows);
-  one_of_eight_laws<HertzWith<ShearForceRescaled>>("force_rescaled", root_half, root_half, rows);
-  one_of_eight_laws<HertzWith<ShearDisplacement>>("displacement", root_half, whole, rows);
-  one_of_eight_laws<HertzWith<ShearDisplacementRescaled>>("displacement_rescaled", half, root_half, rows);
-  return rows;
+  CheckedNumbers numbers;
+  one_of_eight_laws<HertzWith<ShearForce>>("force", whole, whole, numbers);
+  one_of_eight_laws<HertzWith<ShearForceRescaled>>("force_rescaled", root_half, root_half, numbers);
+  one_of_eight_laws<HertzWith<ShearDisplacement>>("displacement", root_half, whole, numbers);
+  one_of_eight_laws<HertzWith<ShearDisplacementRescaled>>("displacement_rescaled", half, root_half, numbers);
+  return numbers;
 }
 
 }  // namespace memo

@@ -2,13 +2,28 @@
 // The memo's scene of two granite grains (Figures 8 and 9): a 5 mm grain touches one of 7.5 mm, which is held below it.
 #pragma once
 
-#include "../dem/progress.hpp"
-#include "../dem/simulation.hpp"
+#include "common/output_file.hpp"
+#include "common/progress.hpp"
+#include "common/report.hpp"
+#include "common/table.hpp"
 #include "contactlaws/laws.hpp"
+#include "dem/simulation.hpp"
 
 namespace memo {
 
+using common::CheckedNumbers;
+using common::OutputFolder;
+using common::stop_requested;
+using common::Table;
 using dem::Vec3;
+
+// Tolerances on relative errors.
+/// The motion is prescribed. What remains is rounding: of positions of 1e-2 m in overlaps of 1e-4 m, over some hundred steps.
+constexpr double prescribed = 1e-9;
+/// The end of a run to equilibrium, which stops at an unbalanced ratio of 1e-9.
+constexpr double equilibrium = 1e-6;
+/// An arc is followed in chords of 8e-6 rad; the error is the square of that, times some hundred chords.
+constexpr double along_arc = 1e-8;
 
 inline const contactlaws::ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
 constexpr double friction = 0.4;           ///< mu [1]
@@ -58,7 +73,7 @@ class TwoGrains {
   template <class Watch>
   void run(const Vec3& velocity, const Vec3& spin, int steps, const Watch& watch) {
     scene.drive(top, velocity, spin);
-    for (int i = 0; i < steps && !dem::stop_requested(); ++i) {
+    for (int i = 0; i < steps && !stop_requested(); ++i) {
       scene.step();
       const auto motion = scene.ball_contact(0).motion;
       slid_ += (motion.velocity - motion.normal * motion.velocity.dot(motion.normal)).norm() * motion.dt;

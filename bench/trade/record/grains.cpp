@@ -3,17 +3,22 @@
 // slide: dry grains under the hill law.
 //
 //   record_grains RECORDING.csv
-#include <cstdio>
-#include <exception>
+//
+// Exit status: 0, 2 on a fault, 130 after Ctrl-C. After a fault or Ctrl-C an earlier recording is unchanged.
+#include <string>
 
-#include "../../../examples/dem/measures.hpp"
-#include "../../../examples/dem/recording.hpp"
-#include "../../../examples/dem/simulation.hpp"
+#include "common/output_file.hpp"
+#include "common/program.hpp"
+#include "common/progress.hpp"
 #include "contactlaws/laws.hpp"
+#include "dem/recording.hpp"
+#include "dem/simulation.hpp"
 
 namespace {
 
-void record(const char* file) {
+int record(const std::string& name) {
+  const common::InterruptGuard guard;
+  common::OutputFile file(name);
   using dem::Vec3;
   constexpr double radius = 5e-3, edge = 50e-3;
   const contactlaws::ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
@@ -30,7 +35,10 @@ void record(const char* file) {
                             Vec3(0.1 * y, -0.1 * x, -0.2)});
   scene.time_step = 2e-7;
   dem::Recording recording(20);
-  for (int step = 0; step < 600; ++step) {
+  common::Progress progress("record_grains");
+  constexpr int steps = 600;
+  for (int step = 0; step < steps; ++step) {
+    if (common::stop_requested()) return common::stop_status();
     scene.step();
     for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {
       const auto motion = scene.ball_contact(c).motion;
@@ -38,22 +46,18 @@ void record(const char* file) {
         recording.add(scene.ball_contacts.bodies[c], motion);
     }
     recording.end_step();
+    progress.at((step + 1.0) / steps);
   }
-  recording.write_csv(file);
+  recording.write_csv(file.stream());
+  file.complete();
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fputs("usage: record_grains RECORDING.csv\n", stderr);
-    return 2;
-  }
-  try {
-    record(argv[1]);
-    return 0;
-  } catch (const std::exception& fault) {
-    std::fprintf(stderr, "record_grains: %s\n", fault.what());
-    return 2;
-  }
+  CLI::App app("Records how the contacts of 27 falling grains move, for trade --replay.", "record_grains");
+  std::string file;
+  app.add_option("RECORDING.csv", file, "where to write the recording")->required();
+  return common::run_program(app, argc, argv, [&file] { return record(file); });
 }

@@ -10,7 +10,7 @@
 #include "contactlaws/core/validate.hpp"
 #include "input_error.hpp"
 
-namespace contact_path {
+namespace common {
 
 /// Whether the whole text is a decimal number, such as -1, 0.5 or 2.9e10; "nan", "inf" and hexadecimals are not.
 inline bool is_decimal(const std::string& text) {
@@ -52,4 +52,4 @@ T number_in(const contactlaws::Range& range, const std::string& text, const Plac
   return value;
 }
 
-}  // namespace contact_path
+}  // namespace common

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace contact_path {
+namespace common {
 
 /// A place in a file; lines and columns count from 1, and 0 means the whole of it.
 struct Place {
@@ -63,4 +63,4 @@ inline std::string read_text(const std::string& file) {
   return text.str();
 }
 
-}  // namespace contact_path
+}  // namespace common

@@ -10,7 +10,7 @@
 
 #include "number.hpp"
 
-namespace contact_path {
+namespace common {
 
 struct Column {
   std::string name;
@@ -127,4 +127,4 @@ class CsvFile {
   std::vector<Cell> cells_;
 };
 
-}  // namespace contact_path
+}  // namespace common

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a long run talks to the person who waits for it: a bar on a terminal, a line now and then in a log; and Ctrl-C, which
-// asks the run to stop after the step it is in, with what it has.
+// Progress of a long run: a bar on a terminal, a line now and then in a log. Ctrl-C requests a stop after the current step.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +12,9 @@
 #include <unistd.h>
 #endif
 
-namespace dem {
+namespace common {
 
-/// A bar: `what [#####     ]  50 %`. Goes to the standard error stream, which results never do.
+/// A bar: `what [#####     ]  50 %`, on the standard error stream. Results go to the standard output.
 class Progress {
  public:
   explicit Progress(std::string what) : what_(std::move(what)) {}
@@ -25,7 +24,7 @@ class Progress {
     if (terminal_ && shown_) std::fputc('\n', stderr);
   }
 
-  /// `done` is the share of the work behind us, 0 to 1. Cheap enough to call at every step.
+  /// `done` is the finished share of the work, 0 to 1. Cheap enough to call at every step.
   void at(double done) {
     const auto now = std::chrono::steady_clock::now();
     if (shown_ && done < 1.0 && now - last_ < (terminal_ ? std::chrono::milliseconds(100) : std::chrono::seconds(20)))
@@ -57,26 +56,36 @@ class Progress {
 };
 
 namespace detail {
-inline volatile std::sig_atomic_t interrupted = 0;
-extern "C" inline void on_interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);  // a second Ctrl-C ends the program at once
+inline volatile std::sig_atomic_t stop_signal = 0;
+extern "C" inline void on_stop_signal(int signal) {
+  stop_signal = signal;
+  std::signal(signal, SIG_DFL);  // a second signal ends the program at once
 }
 }  // namespace detail
 
-/// While one of these lives, Ctrl-C is a request; see stop_requested().
+/// While an object of this class lives, SIGINT (Ctrl-C) and SIGTERM only set stop_requested().
 class InterruptGuard {
  public:
-  InterruptGuard() : before_(std::signal(SIGINT, detail::on_interrupt)) { detail::interrupted = 0; }
-  ~InterruptGuard() { std::signal(SIGINT, before_); }
+  InterruptGuard()
+      : on_interrupt_(std::signal(SIGINT, detail::on_stop_signal)),
+        on_terminate_(std::signal(SIGTERM, detail::on_stop_signal)) {
+    detail::stop_signal = 0;
+  }
+  ~InterruptGuard() {
+    std::signal(SIGINT, on_interrupt_);
+    std::signal(SIGTERM, on_terminate_);
+  }
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  void (*before_)(int);
+  void (*on_interrupt_)(int);
+  void (*on_terminate_)(int);
 };
 
-/// Whether Ctrl-C was pressed: what loops over steps ask, to end with what they have.
-inline bool stop_requested() { return detail::interrupted != 0; }
+/// Whether a signal requested a stop. Loops over steps check this and end early.
+inline bool stop_requested() { return detail::stop_signal != 0; }
+/// The exit status of a program that was stopped: 128 + signal, so 130 after Ctrl-C.
+inline int stop_status() { return 128 + detail::stop_signal; }
 
-}  // namespace dem
+}  // namespace common

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Numbers that a program computes, beside what a document prints and what a closed form gives: printed as a table, written as
+// JSON and CSV.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace common {
+
+struct CheckedNumber {
+  std::string id;
+  const char* unit;
+  std::optional<double> published;  ///< as the document prints it; none where it prints none
+  double expected;                  ///< closed form
+  double computed;                  ///< by the program
+  double tolerance;                 ///< on the relative error
+
+  double relative_error() const { return std::abs(computed - expected) / std::abs(expected); }
+  bool pass() const { return relative_error() <= tolerance; }  // false for a NaN
+};
+
+using CheckedNumbers = std::vector<CheckedNumber>;
+
+inline void print(const char* title, const CheckedNumbers& numbers) {
+  std::printf("\n%-48s %12s %19s %19s  %5s\n", title, "published", "expected", "computed", "error");
+  for (const CheckedNumber& number : numbers) {
+    char published[32] = "-";
+    if (number.published) std::snprintf(published, sizeof published, "%.10g", *number.published);
+    const std::string name = number.id + (*number.unit == '1' ? "" : std::string(" [") + number.unit + "]");
+    std::printf("%-48s %12s %19.12g %19.12g  %5.0e %s\n", name.c_str(), published, number.expected, number.computed,
+                number.relative_error(), number.pass() ? "" : "FAILS");
+  }
+}
+
+inline void write_json(std::ostream& out, const CheckedNumbers& numbers) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const CheckedNumber& number : numbers) {
+    list.push_back({{"id", number.id},
+                    {"published", number.published ? nlohmann::ordered_json(*number.published) : nullptr},
+                    {"expected", number.expected},
+                    {"computed", number.computed},
+                    {"relative_error", number.relative_error()},
+                    {"tolerance", number.tolerance},
+                    {"pass", number.pass()}});
+  }
+  out << list.dump(1) << '\n';
+}
+
+/// The same with units, for a spreadsheet.
+inline void write_csv(std::ostream& out, const CheckedNumbers& numbers) {
+  out << "id,unit,published,expected,computed,relative_error,tolerance,pass\n";
+  for (const CheckedNumber& number : numbers) {
+    out << number.id << ',' << number.unit << ',';
+    if (number.published) out << *number.published;
+    out << ',' << number.expected << ',' << number.computed << ',' << number.relative_error() << ',' << number.tolerance
+        << ',' << (number.pass() ? "yes" : "no") << '\n';
+  }
+}
+
+/// Prints whether all numbers pass. Returns the exit status: 0 if they do, 1 if not.
+inline int verdict(const CheckedNumbers& numbers) {
+  const bool all_pass = std::all_of(numbers.begin(), numbers.end(), [](const CheckedNumber& n) { return n.pass(); });
+  std::printf("\n%s\n", all_pass ? "All numbers are right." : "Some numbers are WRONG.");
+  return all_pass ? 0 : 1;
+}
+
+}  // namespace common
