@@ -13,8 +13,8 @@
 //
 // Pohrt & Popov (2012); Tolomeo & McDowell (2022) Eqs 1-6, whose increments (pohrt_popov_incremental.hpp) these replace:
 // no step, no drift, no start. Domain: D_f in [2, 3], h > 0, o << R*.
-// Error of F, given p and o_c: <= 6 ULP; of the stiffness 5. Power::fast adds 3/2 |(p-1) log x| eps, and so do packs
-// (power.hpp). Unloading, d is right to 3 ULP of d(o_m) and, near o_p, no better: no number stands for d(o_m)
+// Error of F, given p and o_c: <= 6 ULP; of the stiffness 5. Packs add 3/2 |(p-1) log x| eps (power.hpp).
+// Unloading, d is right to 3 ULP of d(o_m) and, near o_p, no better: no number stands for d(o_m)
 // to less than half one (tests/laws/test_pohrt_popov_accuracy.cpp).
 #pragma once
 
@@ -65,7 +65,7 @@ enum class Recontact {
 enum class Loading { open, virgin, unloading, reloading };
 
 /// d(o), and what it takes to get there.
-template <class T, Power power>
+template <class T>
 struct RoughProfile {
   T exponent = T(1);            ///< p [1]
   T transition_overlap = T(0);  ///< o_c [m]
@@ -83,7 +83,7 @@ struct RoughProfile {
     const Mask<T> rough = overlap > T(0) && overlap < transition_overlap;
     if (!any<T>(rough)) return {flattened(overlap), T(1)};
     const T closed = select<T>(rough, overlap, transition_overlap);
-    const T slope = power_of_quotient<T, power>(closed, transition_overlap, T(exponent - T(1)));
+    const T slope = power_of_quotient<T>(closed, transition_overlap, T(exponent - T(1)));
     return {select<T>(rough, T(overlap / exponent * slope), flattened(overlap)), slope};
   }
 
@@ -130,11 +130,11 @@ struct RoughProfile {
 };
 
 /// Elastic: loading and unloading follow the same curve. No history.
-template <class T, Power power = Power::accurate>
-struct PohrtPopov : RoughProfile<T, power> {
+template <class T>
+struct PohrtPopov : RoughProfile<T> {
   using Scalar = T;
   template <class U>
-  using Rebind = PohrtPopov<U, power>;
+  using Rebind = PohrtPopov<U>;
 
   struct State {};
   static constexpr const char* name = "PohrtPopov";
@@ -142,9 +142,7 @@ struct PohrtPopov : RoughProfile<T, power> {
   static constexpr std::array<StateValue, 0> state_values() { return {}; }
 
   /// @throws std::invalid_argument naming the surface's parameter out of range
-  static PohrtPopov of(const RoughSurface<T>& surface) {
-    return RoughProfile<T, power>::template of<PohrtPopov>(surface);
-  }
+  static PohrtPopov of(const RoughSurface<T>& surface) { return RoughProfile<T>::template of<PohrtPopov>(surface); }
 
   CONTACTLAWS_HD NormalResponse<T> respond(State&, const PairProperties<T>& pair, const T& overlap) const noexcept {
     const auto at = this->indentation(overlap);
@@ -160,11 +158,11 @@ struct PohrtPopov : RoughProfile<T, power> {
 
 /// Elasto-plastic. History: the largest overlap, one exact number, from which the plastic overlap follows. The tangent jumps
 /// there, from the virgin branch's to Hertz's: a contact held at its largest overlap has either, as its overlap rounds.
-template <class T, Recontact recontact = Recontact::same_spot, Power power = Power::accurate>
-struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
+template <class T, Recontact recontact = Recontact::same_spot>
+struct PohrtPopovElastoPlastic : RoughProfile<T> {
   using Scalar = T;
   template <class U>
-  using Rebind = PohrtPopovElastoPlastic<U, recontact, power>;
+  using Rebind = PohrtPopovElastoPlastic<U, recontact>;
 
   struct State {
     T largest_overlap = T(0);  ///< o_m [m]
@@ -177,7 +175,7 @@ struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
 
   /// @throws std::invalid_argument naming the surface's parameter out of range
   static PohrtPopovElastoPlastic of(const RoughSurface<T>& surface) {
-    return RoughProfile<T, power>::template of<PohrtPopovElastoPlastic>(surface);
+    return RoughProfile<T>::template of<PohrtPopovElastoPlastic>(surface);
   }
 
   CONTACTLAWS_HD NormalResponse<T> respond(State& state, const PairProperties<T>& pair,
