@@ -73,9 +73,7 @@ Law granite() {
   Law law;
   if constexpr (std::is_same_v<Normal, LinearModulus<double>>) law.normal.modulus = 29e9;
   if constexpr (std::is_same_v<Normal, LinearSpring<double>>) law.normal.normal_stiffness = 1e7;
-  if constexpr (std::is_base_of_v<RoughProfile<double, Power::accurate>, Normal> ||
-                std::is_base_of_v<RoughProfile<double, Power::fast>, Normal>)
-    law.normal = Normal::of({2.13, 26.1e-6});
+  if constexpr (std::is_base_of_v<RoughProfile<double>, Normal>) law.normal = Normal::of({2.13, 26.1e-6});
   if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = 0.07;
   if constexpr (decltype(Law::shear)::acts) law.shear.friction = 0.4;
   if constexpr (decltype(Law::bridge)::acts) law.bridge.suction = 200e3;

@@ -47,8 +47,8 @@ void visit_laws(Visit visit) {
   visit("RoughBallast", 4, RoughBallast<T>{PohrtPopovElastoPlastic<T>::of(ballast), undamped, {ratio, 0.7}, dry});
   visit("Rough elastic damped", 3,
         compose(PohrtPopov<T>::of(ballast), damped, ShearForce<T, ConstantRatio<T>>{ratio, 0.7}, dry));
-  visit("Rough fast fresh wet", 2,
-        compose(PohrtPopovElastoPlastic<T, Recontact::fresh_surface, Power::fast>::of(ballast), clipped, smooth, wet));
+  visit("Rough fresh wet", 2,
+        compose(PohrtPopovElastoPlastic<T, Recontact::fresh_surface>::of(ballast), clipped, smooth, wet));
   visit("Rough incremental", 3, compose(PohrtPopovIncremental<T>::of(ballast, 1e-12), undamped, smooth, dry));
 
   visit("Hertz damped", 0, compose(hertz, damped, smooth, dry));

@@ -29,7 +29,7 @@ plt.rcParams.update({
 AXES = {
     "default": ("#0072b2", "o", "the default, in double"), "batch": ("#009e73", "D", "batches"),
     "precision": ("#56b4e9", "s", "precision"), "carrying": ("#cc79a7", "^", "carrying of shear"),
-    "history": ("#d55e00", "v", "shear history"), "power": ("#e69f00", "P", "power"),
+    "history": ("#d55e00", "v", "shear history"),
     "normal": ("#e69f00", "X", "normal form"), "step": ("#7f7f7f", ">", "several steps at once"),
     "slot": ("#202020", "x", "a slot left out"),
 }

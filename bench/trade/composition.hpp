@@ -9,7 +9,7 @@
 
 namespace trade {
 
-enum class NormalForm { linear, hertz, elastic, elastic_fast, plastic, plastic_fast, incremental };
+enum class NormalForm { linear, hertz, elastic, plastic, incremental };
 enum class Damping { none, allowed, clipped };
 enum class History { none, force, force_rescaled, displacement, displacement_rescaled };
 enum class Carrying { project, project_restore, rotate };
@@ -40,12 +40,8 @@ inline const char* name(NormalForm x) {
       return "hertz";
     case NormalForm::elastic:
       return "pohrt_popov";
-    case NormalForm::elastic_fast:
-      return "pohrt_popov (fast power)";
     case NormalForm::plastic:
       return "pohrt_popov_elasto_plastic";
-    case NormalForm::plastic_fast:
-      return "pohrt_popov_elasto_plastic (fast power)";
     case NormalForm::incremental:
       return "pohrt_popov_incremental";
   }

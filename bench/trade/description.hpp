@@ -25,11 +25,10 @@ inline Composition composition_of(const LawDescription& law) {
   };
   only("recontact", "same_spot");
   only("unloads", "plastically");
-  const bool fast = law.normal.words.count("power") > 0 && law.normal.word("power") == "fast";
   if (normal == "linear") c.normal = NormalForm::linear;
   if (normal == "hertz") c.normal = NormalForm::hertz;
-  if (normal == "pohrt_popov") c.normal = fast ? NormalForm::elastic_fast : NormalForm::elastic;
-  if (normal == "pohrt_popov_elasto_plastic") c.normal = fast ? NormalForm::plastic_fast : NormalForm::plastic;
+  if (normal == "pohrt_popov") c.normal = NormalForm::elastic;
+  if (normal == "pohrt_popov_elasto_plastic") c.normal = NormalForm::plastic;
   if (normal == "pohrt_popov_incremental") c.normal = NormalForm::incremental;
   if (law.damping.law != "none")
     c.damping = law.damping.word("tension") == "clipped" ? Damping::clipped : Damping::allowed;
@@ -83,15 +82,11 @@ inline std::vector<NormalForm> stand_ins(NormalForm form) {
     case N::hertz:
       return {N::hertz};
     case N::elastic:
-      return {N::elastic, N::elastic_fast, N::hertz};
-    case N::elastic_fast:
-      return {N::elastic_fast, N::hertz};
+      return {N::elastic, N::hertz};
     case N::plastic:
-      return {N::plastic, N::plastic_fast, N::elastic, N::elastic_fast, N::hertz, N::incremental};
-    case N::plastic_fast:
-      return {N::plastic_fast, N::elastic_fast, N::hertz};
+      return {N::plastic, N::elastic, N::hertz, N::incremental};
     case N::incremental:
-      return {N::incremental, N::plastic, N::plastic_fast, N::elastic, N::elastic_fast, N::hertz};
+      return {N::incremental, N::plastic, N::elastic, N::hertz};
   }
   return {form};
 }

@@ -110,8 +110,7 @@ inline Findings findings(const Use& use, const Composition& full, const Paramete
   if (full.damping != Damping::none)
     sort(use.strongest_damping > little, "dashpots: no damping above " + number(use.strongest_damping) + " N, " +
                                              share(use.strongest_damping, use.largest_force));
-  if (full.normal == NormalForm::plastic || full.normal == NormalForm::plastic_fast ||
-      full.normal == NormalForm::incremental)
+  if (full.normal == NormalForm::plastic || full.normal == NormalForm::incremental)
     sort(use.unloads, use.unloads ? "loading history: contacts unloaded" : "loading history: no contact unloaded");
   return found;
 }

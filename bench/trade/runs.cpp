@@ -16,12 +16,8 @@ std::unique_ptr<Run> make_run(const Composition& c, const Parameters& p, const S
       return make_run_of<NormalForm::linear>(c, p, scene);
     case NormalForm::elastic:
       return make_run_of<NormalForm::elastic>(c, p, scene);
-    case NormalForm::elastic_fast:
-      return make_run_of<NormalForm::elastic_fast>(c, p, scene);
     case NormalForm::plastic:
       return make_run_of<NormalForm::plastic>(c, p, scene);
-    case NormalForm::plastic_fast:
-      return make_run_of<NormalForm::plastic_fast>(c, p, scene);
     case NormalForm::incremental:
       return make_run_of<NormalForm::incremental>(c, p, scene);
 #endif

@@ -24,16 +24,8 @@ struct NormalOf<NormalForm::elastic, T> {
   using type = PohrtPopov<T>;
 };
 template <class T>
-struct NormalOf<NormalForm::elastic_fast, T> {
-  using type = PohrtPopov<T, Power::fast>;
-};
-template <class T>
 struct NormalOf<NormalForm::plastic, T> {
   using type = PohrtPopovElastoPlastic<T>;
-};
-template <class T>
-struct NormalOf<NormalForm::plastic_fast, T> {
-  using type = PohrtPopovElastoPlastic<T, Recontact::same_spot, Power::fast>;
 };
 template <class T>
 struct NormalOf<NormalForm::incremental, T> {

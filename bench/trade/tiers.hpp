@@ -32,7 +32,7 @@ struct Tier {
   std::size_t multiple = 1;  ///< steps at once
 
   /// Whether nothing but rounding tells it from the default.
-  bool only_rounds() const { return axis == "default" || axis == "power" || axis == "precision" || axis == "batch"; }
+  bool only_rounds() const { return axis == "default" || axis == "precision" || axis == "batch"; }
 };
 
 inline std::string short_name(NormalForm form) {
@@ -45,9 +45,6 @@ inline std::string short_name(NormalForm form) {
       return "elastic";
     case NormalForm::plastic:
       return "loading history";
-    case NormalForm::elastic_fast:
-    case NormalForm::plastic_fast:
-      return "fast power";
     case NormalForm::incremental:
       return "incremental";
   }
@@ -68,13 +65,8 @@ inline std::vector<Tier> tiers_of(const Composition& ours) {
          {History::force, History::force_rescaled, History::displacement, History::displacement_rescaled})
       if (h != ours.history) add("history", name(h), [h](Composition& c) { c.history = h; });
   }
-  for (const NormalForm form : stand_ins(ours.normal)) {
-    const bool is_power = (ours.normal == NormalForm::plastic && form == NormalForm::plastic_fast) ||
-                          (ours.normal == NormalForm::elastic && form == NormalForm::elastic_fast);
-    const bool is_both = !is_power && (form == NormalForm::plastic_fast || form == NormalForm::elastic_fast);
-    if (form != ours.normal && !is_both)  // one choice at a time
-      add(is_power ? "power" : "normal", short_name(form), [form](Composition& c) { c.normal = form; });
-  }
+  for (const NormalForm form : stand_ins(ours.normal))
+    if (form != ours.normal) add("normal", short_name(form), [form](Composition& c) { c.normal = form; });
   add("precision", "law in float", [](Composition& c) { c.precision = Precision::law_in_float; });
   add("precision", "all in float", [](Composition& c) { c.precision = Precision::in_float; });
   add("batch", "batch", [](Composition& c) { c.path = Path::batch; });

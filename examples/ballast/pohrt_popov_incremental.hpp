@@ -21,7 +21,7 @@ namespace contactlaws {
 enum class Unloads { elastically, plastically };
 
 template <class T, Unloads unloads = Unloads::plastically>
-struct PohrtPopovIncremental : RoughProfile<T, Power::accurate> {
+struct PohrtPopovIncremental : RoughProfile<T> {
   using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
@@ -48,7 +48,7 @@ struct PohrtPopovIncremental : RoughProfile<T, Power::accurate> {
 
   /// @throws std::invalid_argument naming the surface's parameter, or the seed force, where out of range
   static PohrtPopovIncremental of(const RoughSurface<T>& surface, const T& seed_force) {
-    PohrtPopovIncremental law = RoughProfile<T, Power::accurate>::template of<PohrtPopovIncremental>(surface);
+    PohrtPopovIncremental law = RoughProfile<T>::template of<PohrtPopovIncremental>(surface);
     law.seed_force = seed_force;
     return checked(law);
   }

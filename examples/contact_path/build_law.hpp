@@ -80,13 +80,10 @@ AnyNormal<T> normal(const Description& law) {
       return AnyNormal<T>(PohrtPopovIncremental<T, unloads>::of(surface, law.number<T>("seed_force")));
     });
   }
-  return choose(law.word("power") == "fast", [&](auto fast) {
-    constexpr Power power = fast ? Power::fast : Power::accurate;
-    if (law.law == "pohrt_popov") return AnyNormal<T>(PohrtPopov<T, power>::of(surface));
-    return choose(law.word("recontact") == "fresh_surface", [&](auto fresh) {
-      constexpr Recontact recontact = fresh ? Recontact::fresh_surface : Recontact::same_spot;
-      return AnyNormal<T>(PohrtPopovElastoPlastic<T, recontact, power>::of(surface));
-    });
+  if (law.law == "pohrt_popov") return AnyNormal<T>(PohrtPopov<T>::of(surface));
+  return choose(law.word("recontact") == "fresh_surface", [&](auto fresh) {
+    constexpr Recontact recontact = fresh ? Recontact::fresh_surface : Recontact::same_spot;
+    return AnyNormal<T>(PohrtPopovElastoPlastic<T, recontact>::of(surface));
   });
 }
 

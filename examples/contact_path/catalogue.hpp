@@ -80,8 +80,6 @@ inline std::vector<NumberKey> rough_surface_and_seed() {
   return numbers;
 }
 
-inline const WordKey power{"power", {"accurate", "fast"}, "how a power is computed"};
-
 inline Choice shear_history(const std::string& name, const std::string& says) {
   using Shear = contactlaws::ShearForce<double, contactlaws::ConstantRatio<double>>;
   const std::string condition = name == "constant_ratio" ? "" : "not with normal hertz, where k is Mindlin's 8 G* a; ";
@@ -109,13 +107,12 @@ inline const std::vector<Choice>& normal_choices() {
        {},
        {}},
       {"hertz", "F = 4/3 E* sqrt(R*) o^(3/2)", {"radius", "young"}, {}, {}, {}},
-      {"pohrt_popov", "rough surfaces, elastic", {"radius", "young"}, detail::rough_surface(), {detail::power}, {}},
+      {"pohrt_popov", "rough surfaces, elastic", {"radius", "young"}, detail::rough_surface(), {}, {}},
       {"pohrt_popov_elasto_plastic",
        "rough surfaces that flatten: unloading and reloading along Hertz's curve, in closed form",
        {"radius", "young"},
        detail::rough_surface(),
-       {detail::power,
-        {"recontact", {"same_spot", "fresh_surface"}, "what is remembered once the bodies have been apart"}},
+       {{"recontact", {"same_spot", "fresh_surface"}, "what is remembered once the bodies have been apart"}},
        {}},
       {"pohrt_popov_incremental",
        "the same by increments F := F + k(F) do",

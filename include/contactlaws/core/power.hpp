@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Powers of a fraction, (a/b)^y with 0 < a <= b and 0 <= y <= 3, as exactly or as fast as wanted:
+// Powers of a fraction, (a/b)^y with 0 < a <= b and 0 <= y <= 3:
 //
-//   accurate  pow(x, y) (1 + y r/a)     r = a - x b, what the quotient x = a/b has lost       <= 2 ULP
-//   fast      exp(y log x)              x = a (1/b)                                           <= (3 + 4 |y log x|) eps
-//   packs     2^n Q(f), y log2 x = n + f, whatever is asked for                               <= (3 + 4 |y log x|) eps
+//   one number  pow(x, y) (1 + y r/a)   x = a/b, r = a - x b is the rounding error of x       <= 2 ULP
+//   a pack      2^n Q(f)                y log2 x = n + f                                      <= (3 + 4 |y log x|) eps
 //
-// A pack's power is built without a table, a call or a branch, so that the loop around it stays in registers:
+// A pack's power has no table, call or branch, so that its values stay in registers:
 //
 //   x = m 2^e,  m in [sqrt(1/2), sqrt(2))       log2 x = e + log2 m,   log2 m = s P(s^2),  s = (m - 1)/(m + 1)
 //
@@ -21,12 +20,6 @@
 #include "contactlaws/core/scalar.hpp"
 
 namespace contactlaws {
-
-/// How a power is computed.
-enum class Power {
-  accurate,  ///< to a few ULP
-  fast       ///< its relative error grows by |y log x| eps
-};
 
 /// How a pack's digits lie in memory: specialise it, and powers are taken in registers (adapt/xsimd.hpp).
 template <class T>
@@ -120,20 +113,16 @@ CONTACTLAWS_HD T power_in_registers(const T& x, const T& y) noexcept {
 }  // namespace detail
 
 /// (a/b)^y of 0 < a <= b and 0 <= y <= 3.
-template <class T, Power power>
+template <class T>
 CONTACTLAWS_HD T power_of_quotient(const T& a, const T& b, const T& y) noexcept {
-  using std::exp;
-  using std::log;
   using std::pow;
   if constexpr (BinaryDigits<T>::known) {
     return detail::power_in_registers<T>(T(a / b), y);
-  } else if constexpr (power == Power::accurate) {
+  } else {
     const T x = a / b;
     const T lost = y * T(quotient_error<T>(a, b, x) / a);
     const T of_rounded = pow(x, y);
     return of_rounded + of_rounded * lost;
-  } else {  // a division ahead of the logarithm would have to be waited for; this one is the same for all contacts
-    return exp(T(y * T(log(T(a * T(T(1) / b))))));
   }
 }
 

@@ -15,8 +15,8 @@
 // the step and on a start force (examples/ballast/pohrt_popov_incremental.hpp). Domain: D_f in [2, 3], h > 0, o << R*.
 // Both laws tell dashpots the secant F/d of the elastic indentation, so that one virgin curve is damped alike in both: F/o
 // counts crushed asperities as if they were part of the spring, and halves the damping.
-// Error of F, given p and o_c: <= 6 ULP; of the stiffness 5. Power::fast adds 3/2 |(p-1) log x| eps, and so do packs
-// (power.hpp). While unloading, the absolute error of d is 3 ULP of d(o_m): F is right to 9 ULP where d >= d(o_m)/2, and
+// Error of F, given p and o_c: <= 6 ULP; of the stiffness 5. Packs add 3/2 |(p-1) log x| eps (core/power.hpp).
+// While unloading, the absolute error of d is 3 ULP of d(o_m): F is right to 9 ULP where d >= d(o_m)/2, and
 // near o_p its relative error is unbounded (tests/laws/test_pohrt_popov_accuracy.cpp).
 #pragma once
 
@@ -66,7 +66,7 @@ enum class Recontact {
 enum class Loading { open, virgin, unloading, reloading };
 
 /// The curve d(o) of a rough surface.
-template <class T, Power power>
+template <class T>
 struct RoughProfile {
   T exponent = T(1);            ///< p [1]
   T transition_overlap = T(0);  ///< o_c [m]
@@ -84,7 +84,7 @@ struct RoughProfile {
     const Mask<T> rough = overlap > T(0) && overlap < transition_overlap;
     if (!any<T>(rough)) return {flattened(overlap), T(1)};
     const T closed = select<T>(rough, overlap, transition_overlap);
-    const T slope = power_of_quotient<T, power>(closed, transition_overlap, T(exponent - T(1)));
+    const T slope = power_of_quotient<T>(closed, transition_overlap, T(exponent - T(1)));
     return {select<T>(rough, T(overlap / exponent * slope), flattened(overlap)), slope};
   }
 
@@ -131,12 +131,12 @@ struct RoughProfile {
 };
 
 /// Elastic: loading and unloading follow the same curve. No history.
-template <class T, Power power = Power::accurate>
-struct PohrtPopov : RoughProfile<T, power> {
+template <class T>
+struct PohrtPopov : RoughProfile<T> {
   using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
-  using Rebind = PohrtPopov<U, power>;
+  using Rebind = PohrtPopov<U>;
 
   struct State {};
   static constexpr const char* name = "PohrtPopov";
@@ -144,9 +144,7 @@ struct PohrtPopov : RoughProfile<T, power> {
   static constexpr std::array<StateValue, 0> state_values() { return {}; }
 
   /// @throws std::invalid_argument naming the surface's parameter out of range
-  static PohrtPopov of(const RoughSurface<T>& surface) {
-    return RoughProfile<T, power>::template of<PohrtPopov>(surface);
-  }
+  static PohrtPopov of(const RoughSurface<T>& surface) { return RoughProfile<T>::template of<PohrtPopov>(surface); }
 
   CONTACTLAWS_HD NormalResponse<T> respond(State&, const PairProperties<T>& pair, const T& overlap) const noexcept {
     const auto at = this->indentation(overlap);
@@ -162,12 +160,12 @@ struct PohrtPopov : RoughProfile<T, power> {
 /// Elastic-plastic. History: the largest overlap, an exact number, which defines the plastic overlap. The tangent jumps at the
 /// largest overlap from the virgin branch's to Hertz's; a contact held there has one or the other, depending on rounding. A
 /// shear stiffness in proportion to it (ConstantRatio) then creates up to 56 % of k S^2/2 per load cycle: see ElasticRatio.
-template <class T, Recontact recontact = Recontact::fresh_surface, Power power = Power::accurate>
-struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
+template <class T, Recontact recontact = Recontact::fresh_surface>
+struct PohrtPopovElastoPlastic : RoughProfile<T> {
   using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
-  using Rebind = PohrtPopovElastoPlastic<U, recontact, power>;
+  using Rebind = PohrtPopovElastoPlastic<U, recontact>;
 
   static constexpr bool outlives_separation = recontact == Recontact::same_spot;
 
@@ -182,7 +180,7 @@ struct PohrtPopovElastoPlastic : RoughProfile<T, power> {
 
   /// @throws std::invalid_argument naming the surface's parameter out of range
   static PohrtPopovElastoPlastic of(const RoughSurface<T>& surface) {
-    return RoughProfile<T, power>::template of<PohrtPopovElastoPlastic>(surface);
+    return RoughProfile<T>::template of<PohrtPopovElastoPlastic>(surface);
   }
 
   CONTACTLAWS_HD NormalResponse<T> respond(State& state, const PairProperties<T>& pair,
