@@ -21,7 +21,7 @@ void step(benchmark::State& run) {
   const ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
   const double radius = 5e-3, spacing = 2.0 * radius - 2e-6;  // [m]
   const int edge = 30;
-  dem::Simulation<DryHill<double>, DryHill<double>, Pack> scene(dry_hill<double>({0.4, 0.0, 0.07}));
+  dem::Simulation<DryHill<double>, DryHill<double>, Pack> scene(bench::granite<DryHill<double>>());
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<double> shake(-1e-6, 1e-6);
   for (int z = 0; z < edge; ++z)

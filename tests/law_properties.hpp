@@ -8,6 +8,7 @@
 #include "ballast/pohrt_popov_incremental.hpp"
 #include "catch.hpp"
 #include "contactlaws/contactlaws.hpp"
+#include "make_laws.hpp"
 #include "random.hpp"
 
 namespace contactlaws::test {
@@ -36,9 +37,9 @@ void visit_laws(Visit visit) {
   const RoughSurface<T> ballast{2.13, 26.1e-6};
 
   visit("SmoothHertz", 0, SmoothHertz<T>{});
-  visit("DryHill", 3, dry_hill<T>({0.4, 0.0, 0.07}));
+  visit("DryHill", 3, test::dry_hill<T>(0.4, 0.07));
   visit("DryHill clipped", 3, DryHill<T, Tension::clipped>{hertz, clipped, {mindlin, 0.4}, dry});
-  visit("Hill", 4, hill<T>({0.4, 2e5, 0.07}));
+  visit("Hill", 4, test::hill<T>(0.4, 2e5, 0.07));
   visit("Hill clipped", 4, Hill<T, Tension::clipped>{hertz, clipped, {mindlin, 0.4}, wet});
   visit("LinearFriction", 3, LinearFriction<T>{modulus, undamped, {ratio, 0.4}, dry});
   visit("LinearSpringDashpot", 3, LinearSpringDashpot<T>{spring, damped, {ratio, 0.4}, dry});

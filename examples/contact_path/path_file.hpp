@@ -15,7 +15,7 @@ using namespace common;
 
 inline const std::vector<Column>& path_columns() {
   using contactlaws::Range;
-  const Range any{-Range::infinity, Range::infinity, false, false};
+  const Range any = Range::any();
   static const std::vector<Column> columns{
       {"dt", "s", Range::not_negative(), true, "time since the step before"},
       {"overlap", "m", any, true, "at the end of the step; negative across a gap"},

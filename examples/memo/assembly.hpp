@@ -26,7 +26,7 @@ inline void grain_assembly(OutputFolder& folder, CheckedNumbers& numbers) {
   contactlaws::LinearFriction<double> at_walls = linear_law(friction);
   at_walls.normal.modulus = 29e6;
   dem::Simulation<contactlaws::Hill<double>, contactlaws::LinearFriction<double>> scene(
-      contactlaws::hill<double>({friction, suction, damping_constant}), at_walls);
+      hill_law(friction, damping_constant), at_walls);
   scene.gravity = {0.0, 0.0, -9.81};
   scene.local_damping = local_damping;
   for (const dem::Wall& wall : dem::box_of_walls(contactlaws::plane(granite), Vec3::Zero(), Vec3::Constant(edge)))

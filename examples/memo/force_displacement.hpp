@@ -17,7 +17,6 @@ inline contactlaws::LinearFriction<double> linear_law(double mu) {
   law.shear.friction = mu;
   return law;
 }
-inline contactlaws::Hill<double> hill_law(double mu) { return contactlaws::hill<double>({mu, suction, 0.0}); }
 
 /// The two grains after stage A, down by 0.1 mm, and stage B, the top grain turned by 0.02 rad. The path goes to a CSV file.
 template <class Law>

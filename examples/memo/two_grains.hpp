@@ -35,7 +35,15 @@ constexpr double top_radius = 5e-3;        ///< [m]
 constexpr double depth = 0.1e-3;           ///< overlap at the end of stage A [m]
 constexpr double turn = 0.02;              ///< of the top grain in stage B [rad]
 
-/// What one sees at the contact.
+inline contactlaws::Hill<double> hill_law(double mu, double alpha = 0.0) {
+  contactlaws::HillProperties<double> properties;
+  properties.friction = mu;
+  properties.suction = suction;
+  properties.damping_constant = alpha;
+  return contactlaws::hill(properties);
+}
+
+/// The contact as a person would measure it.
 struct Sight {
   double gap;                 ///< [m], negative when overlapping
   double normal_force;        ///< compression > 0 [N]

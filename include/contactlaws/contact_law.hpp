@@ -66,11 +66,11 @@ struct ContactLaw {
                 "this shear stiffness needs a normal law with a contact radius (Mindlin beside Hertz); "
                 "beside others take ConstantRatio or ElasticRatio");
 
-  Normal normal;
-  Damping damping;
-  Shear shear;
-  Bridge bridge;
-  Rolling rolling;
+  Normal normal = Normal();
+  Damping damping = Damping();
+  Shear shear = Shear();
+  Bridge bridge = Bridge();
+  Rolling rolling = Rolling();
 
   /// Whether the normal law may pull.
   static constexpr bool adheres = detail::adheres<Normal>;

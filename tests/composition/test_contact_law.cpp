@@ -1,5 +1,6 @@
 // What ContactLaw itself promises to hosts: states as plain values, slots that cost nothing, questions without effects.
 #include "contactlaws/contact_law.hpp"
+#include "make_laws.hpp"
 
 #include <set>
 #include <string>
@@ -125,7 +126,7 @@ TEST_CASE("Pair and kinematics go to another scalar and back") {
 
 TEST_CASE("Fault: a query advances the history") {
   // A host's set-up pass asks for the forces once before the first step, and others ask in between.
-  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.07});
+  const DryHill<double> law = test::dry_hill<double>(0.4, 0.07);
   const PairProperties<double> pair = granite_pair<double>();
   const ContactKinematics<double> k{{0, 0, 1}, 1e-4, {1.0, 0, 0}, 1e-6};
   DryHill<double>::State once{}, asked{};
@@ -147,7 +148,7 @@ TEST_CASE("Fault: a law does not tell how far it reaches") {
 
 TEST_CASE("Stored energy is that of the springs and the bridge") {
   const PairProperties<double> pair = granite_pair<double>();
-  const Hill<double> law = hill<double>({10.0, 2e5, 0.0});
+  const Hill<double> law = test::hill<double>(10.0, 2e5, 0.0);
   const double overlap = 1e-4, slip = 1e-6, k_n = 1.08330463206478e9, k_s = 1.49320368203524e7;
   Hill<double>::State state{};
   Hill<double>::make_wet(state, overlap, 0.0);

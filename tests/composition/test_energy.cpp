@@ -1,4 +1,5 @@
 #include "contactlaws/energy.hpp"
+#include "make_laws.hpp"
 
 #include <iostream>
 
@@ -181,7 +182,7 @@ TEST_CASE("Energy: work = stored + dissipated, converging with the step; what pr
 
 TEST_CASE("Energy: a dashpot turns into heat what it must, by its own integral") {
   // Constant closing speed v to an overlap O: heat = alpha_n v int o^(1/4) do = 4/5 alpha_n v O^(5/4).
-  const DryHill<double> law = dry_hill<double>({0.0, 0.0, 0.07});
+  const DryHill<double> law = test::dry_hill<double>(0.0, 0.07);
   const PairProperties<double> pair = granite_pair<double>();
   const double alpha_n = 0.07 * std::sqrt(1.07038549697309e-3 * 1.08330463206478e9);
   const double deep = 1e-4, speed = 0.5;

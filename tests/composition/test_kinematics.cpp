@@ -1,4 +1,5 @@
 #include "contactlaws/kinematics.hpp"
+#include "make_laws.hpp"
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
@@ -80,7 +81,7 @@ TEST_CASE("Kinematics: seen from either body, one contact") {
 
 TEST_CASE("Kinematics: forces and torques of a pair balance") {
   Random random;
-  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.3});
+  const DryHill<double> law = test::dry_hill<double>(0.4, 0.3);
   for (int i = 0; i < 1000; ++i) {
     const double radius1 = 7.5e-3, radius2 = 5e-3;
     const Vector x1 = 0.1 * random.direction(), x2 = x1 + 12.4e-3 * random.direction();

@@ -1,5 +1,6 @@
 // The ready-made laws against the hill memo: its numbers, and its equations 12 to 18 written out once more.
 #include "contactlaws/laws.hpp"
+#include "make_laws.hpp"
 
 #include "catch.hpp"
 #include "random.hpp"
@@ -93,7 +94,10 @@ Vector precise(const Vec3<double>& v) { return {v.x(), v.y(), v.z()}; }
 }  // namespace
 
 TEST_CASE("The hill law follows the memo's equations 12 to 18 along random paths") {
-  const HillProperties<double> properties{0.4, 2e5, 0.3};
+  HillProperties<double> properties;
+  properties.friction = 0.4;
+  properties.suction = 2e5;
+  properties.damping_constant = 0.3;
   const Hill<double> law = hill(properties);
   Random random;
   double worst = 0.0;
@@ -138,13 +142,13 @@ TEST_CASE("The hill law follows the memo's equations 12 to 18 along random paths
 
 // The numbers are printed to 12 digits in the restored physics, and the memo's own to 5.
 TEST_CASE("Two grains, hill law: normal force, then 99.0 um of shear") {
-  TwoGrains<DryHill<double>> grains{dry_hill<double>({0.4, 0.0, 0.0})};
+  TwoGrains<DryHill<double>> grains{test::dry_hill<double>(0.4, 0.0)};
   const auto slipping = grains.shear_by(99.0e-6);
   CHECK(slipping.normal_elastic == Approx(1083.30463206).epsilon(1e-11));
   CHECK(slipping.force.x() == Approx(-433.321852826).epsilon(1e-11));
   CHECK(slipping.sliding);
 
-  TwoGrains<DryHill<double>> rough{dry_hill<double>({10.0, 0.0, 0.0})};
+  TwoGrains<DryHill<double>> rough{test::dry_hill<double>(10.0, 0.0)};
   double x = 0.0;
   for (int i = 0; i < 100; ++i) x = rough.shear_by(99.0e-6 / 100).force.x();
   CHECK(x == Approx(-1478.27164521).epsilon(1e-11));
@@ -162,7 +166,7 @@ TEST_CASE("Two grains, linear law: normal force, then 99.0 um of shear") {
 }
 
 TEST_CASE("Two grains, hill law with dashpots: moving, then stopped") {
-  TwoGrains<DryHill<double>> grains{dry_hill<double>({1000.0, 0.0, 0.07})};
+  TwoGrains<DryHill<double>> grains{test::dry_hill<double>(1000.0, 0.07)};
   const auto pressed = grains.law.step(grains.pair, {{0, 0, 1}, 2e-4, {0, 0, -100.0}, 1e-6}, {});
   CHECK(pressed.normal_force == Approx(3960.44634634).epsilon(1e-11));
   const auto rest = grains.law.step(grains.pair, {{0, 0, 1}, 2e-4, {0, 0, 0}, 1e-6}, pressed.state);
@@ -176,7 +180,7 @@ TEST_CASE("Two grains, hill law with dashpots: moving, then stopped") {
 
 TEST_CASE("Linear and hill law cross over: stiffnesses at 12.574 mm, forces at 28.291 mm of overlap") {
   const LinearFriction<double> linear{{29e9}, {}, {{1.0}, 0.4}, {}};
-  const DryHill<double> hertz = dry_hill<double>({0.4, 0.0, 0.0});
+  const DryHill<double> hertz = test::dry_hill<double>(0.4, 0.0);
   const PairProperties<double> pair = granite_pair<double>();
   // Printed to half a micrometre: 4e-5 of the overlap, and half of that in the stiffness, which goes with its root.
   CHECK(hertz.stiffness(pair, 12.574e-3, {}).normal ==
@@ -188,7 +192,7 @@ TEST_CASE("Linear and hill law cross over: stiffnesses at 12.574 mm, forces at 2
 }
 
 TEST_CASE("Wet grains at rest: suction is balanced at an overlap of 5.946 um") {
-  const Hill<double> law = hill<double>({0.4, 2e5, 0.0});
+  const Hill<double> law = test::hill<double>(0.4, 2e5, 0.0);
   const PairProperties<double> pair = granite_pair<double>();
   Hill<double>::State wet{};
   Hill<double>::make_wet(wet, 5.946e-6, 0.0);
@@ -205,27 +209,64 @@ TEST_CASE("Doubling the overlap keeps a force history and multiplies a displacem
     return grains.shear_by(0.0).force.x() / before;
   };
   using Displacement = ContactLaw<Hertz<double>, NoDashpots<double>, ShearDisplacement<double>>;
-  CHECK(ratio(dry_hill<double>({10.0, 0.0, 0.0})) == 1.0);
+  CHECK(ratio(test::dry_hill<double>(10.0, 0.0)) == 1.0);
   CHECK(ratio(Displacement{{}, {}, {{}, 10.0}, {}}) == Approx(std::sqrt(2.0)).epsilon(1e-15));
 }
 
-TEST_CASE("Properties of the hill law out of range are named, with value and range") {
+TEST_CASE("Makers name the parameter out of range, with value, unit and range") {
   using Catch::Matchers::Equals;
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const auto refuses = [](const HillProperties<double>& properties, const std::string& message) {
-    CHECK_THROWS_WITH(hill(properties), Equals("HillProperties: " + message));
-    CHECK_THROWS_WITH(dry_hill(properties), Equals("HillProperties: " + message));
-  };
-  refuses({-0.5, 0.0, 0.0}, "friction is -0.5, must lie in [0, inf)");
-  refuses({nan, 0.0, 0.0}, "friction is nan, must lie in [0, inf)");
-  refuses({inf, 0.0, 0.0}, "friction is inf, must lie in [0, inf)");
-  refuses({0.4, -1.0, 0.0}, "suction is -1 Pa, must lie in [0, inf)");
-  refuses({0.4, nan, 0.0}, "suction is nan Pa, must lie in [0, inf)");
-  refuses({0.4, 0.0, 1.5}, "damping_constant is 1.5, must lie in [0, 1]");
-  refuses({0.4, 0.0, -0.25}, "damping_constant is -0.25, must lie in [0, 1]");
-  refuses({0.4, 0.0, nan}, "damping_constant is nan, must lie in [0, 1]");
-  CHECK_NOTHROW(hill<double>({0.0, 0.0, 0.0}));
-  CHECK_NOTHROW(hill<double>({1e9, 1e9, 1.0}));
+  CHECK_THROWS_WITH(test::hill<double>(-0.5, 0.0, 0.0), Equals("ShearForce: friction is -0.5, must lie in [0, inf)"));
+  CHECK_THROWS_WITH(test::hill<double>(nan, 0.0, 0.0), Equals("ShearForce: friction is nan, must lie in [0, inf)"));
+  CHECK_THROWS_WITH(test::dry_hill<double>(inf), Equals("ShearForce: friction is inf, must lie in [0, inf)"));
+  CHECK_THROWS_WITH(test::hill<double>(0.4, -1.0, 0.0),
+                    Equals("SuctionBridge: suction is -1 Pa, must lie in [0, inf)"));
+  CHECK_THROWS_WITH(test::hill<double>(0.4, nan, 0.0),
+                    Equals("SuctionBridge: suction is nan Pa, must lie in [0, inf)"));
+  CHECK_THROWS_WITH(test::dry_hill<double>(0.4, -0.25),
+                    Equals("Dashpots: damping_constant is -0.25, must lie in [0, inf)"));
+  CHECK_NOTHROW(test::hill<double>(0.0, 0.0, 0.0));
+  CHECK_NOTHROW(test::hill<double>(1e9, 1e9, 2.0));  // damping_constant above 1: a low restitution
+
+  LinearFrictionProperties<double> linear;
+  CHECK_THROWS_WITH(linear_friction(linear), Equals("LinearModulus: modulus is 0 Pa, must lie in (0, inf)"));
+  linear.modulus = 5e8;
+  linear.stiffness_ratio = -1.0;
+  CHECK_THROWS_WITH(linear_friction(linear), Equals("ShearForce: ratio is -1, must lie in (0, inf)"));
+  LinearSpringDashpotProperties<double> spring;
+  CHECK_THROWS_WITH(linear_spring_dashpot(spring),
+                    Equals("LinearSpring: normal_stiffness is 0 N/m, must lie in (0, inf)"));
+  RoughBallastProperties<double> ballast;
+  ballast.fractal_dimension = 2.13;
+  CHECK_THROWS_WITH(rough_ballast(ballast), Equals("RoughSurface: roughness is 0 m, must lie in (0, inf)"));
+}
+
+TEST_CASE("Makers give the parameters to the slots") {
+  HillProperties<double> of_hill;
+  of_hill.friction = 0.4;
+  of_hill.suction = 2e5;
+  of_hill.damping_constant = 0.3;
+  const Hill<double, Tension::clipped> wet = hill<Tension::clipped>(of_hill);
+  CHECK(wet.shear.friction == 0.4);
+  CHECK(wet.bridge.suction == 2e5);
+  CHECK(wet.damping.damping_constant == 0.3);
+  LinearSpringDashpotProperties<double> spring;
+  spring.normal_stiffness = 1e6;
+  spring.friction = 0.5;
+  spring.stiffness_ratio = 0.6;
+  spring.damping_constant = 0.1;
+  const LinearSpringDashpot<double> linear = linear_spring_dashpot(spring);
+  CHECK(linear.normal.normal_stiffness == 1e6);
+  CHECK(linear.shear.friction == 0.5);
+  CHECK(linear.shear.ratio == 0.6);
+  CHECK(linear.damping.damping_constant == 0.1);
+  RoughBallastProperties<double> ballast;
+  ballast.fractal_dimension = 2.13;
+  ballast.roughness = 26.1e-6;
+  ballast.friction = 0.7;
+  const RoughBallast<double> rough = rough_ballast(ballast);
+  CHECK(rough.normal.transition_overlap == Approx(132.70776e-6).epsilon(1e-7));  // the paper's surface, 8 digits
+  CHECK(rough.shear.friction == 0.7);
 }
 
 TEST_CASE("A law says which of its slots' parameters is out of range") {

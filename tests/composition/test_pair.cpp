@@ -126,10 +126,8 @@ TEST_CASE("Material: accuracy of the effective properties") {
     const PairProperties<Binary200> exact =
         pair_properties(sphere(precise(m1), Binary200(r1)), sphere(precise(m2), Binary200(r2)));
     worst[0].see(ulps(computed.effective_radius, exact.effective_radius), r1, r2);
-    worst[1].see(ulps(computed.effective_young, exact.effective_young), m1.young, m1.poisson,
-                 m2.young, m2.poisson);
-    worst[2].see(ulps(computed.effective_shear, exact.effective_shear), m1.young, m1.poisson,
-                 m2.young, m2.poisson);
+    worst[1].see(ulps(computed.effective_young, exact.effective_young), m1.young, m1.poisson, m2.young, m2.poisson);
+    worst[2].see(ulps(computed.effective_shear, exact.effective_shear), m1.young, m1.poisson, m2.young, m2.poisson);
     worst[3].see(ulps(computed.effective_mass, exact.effective_mass), r1, r2);
   }
   // Sums of positive numbers: each rounding counts once, and there are 4 for a radius, 5 to 9 for the others.

@@ -1,4 +1,5 @@
 #include "contactlaws/timestep.hpp"
+#include "make_laws.hpp"
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
@@ -9,10 +10,10 @@ namespace contactlaws::test {
 TEST_CASE("Time step: stiffnesses of a contact are the tangents, and dashpots stiffen both") {
   const PairProperties<double> pair = granite_pair<double>();
   const double k_n = 1.08330463206478e9, k_s = 1.49320368203524e9, overlap = 1e-4;
-  const ContactStiffness<double> plain = dry_hill<double>({0.4, 0.0, 0.0}).stiffness(pair, overlap, {});
+  const ContactStiffness<double> plain = test::dry_hill<double>(0.4, 0.0).stiffness(pair, overlap, {});
   CHECK(plain.normal == Approx(1.5 * k_n * 0.01).epsilon(1e-14));  // (19)
   CHECK(plain.shear == Approx(k_s * 0.01).epsilon(1e-14));
-  const ContactStiffness<double> damped = dry_hill<double>({0.4, 0.0, 0.07}).stiffness(pair, overlap, {});
+  const ContactStiffness<double> damped = test::dry_hill<double>(0.4, 0.07).stiffness(pair, overlap, {});
   const double b = 0.035, factor = std::pow(std::sqrt(1.0 + b * b) - b, 2);  // (20), (21)
   CHECK(damped.normal == Approx(plain.normal / factor).epsilon(1e-14));
   CHECK(damped.shear == Approx(plain.shear / factor).epsilon(1e-14));
@@ -24,7 +25,7 @@ TEST_CASE("Time step: stiffnesses of a contact are the tangents, and dashpots st
 
 TEST_CASE("Time step: a contact across a gap counts as one of overlap 2e-4 R_o") {
   const PairProperties<double> pair = granite_pair<double>();
-  const Hill<double> law = hill<double>({0.4, 2e5, 0.07});
+  const Hill<double> law = test::hill<double>(0.4, 2e5, 0.07);
   for (const double overlap : {0.0, -1e-6, -5e-3}) {
     CHECK(law.stiffness(pair, overlap, {}).normal == law.stiffness(pair, 1e-6, {}).normal);
     CHECK(law.stiffness(pair, overlap, {}).shear == law.stiffness(pair, 1e-6, {}).shear);

@@ -7,7 +7,11 @@ int main() {
   using namespace contactlaws;
   const ElasticMaterial<double> glass{70e9, 0.2, 2500.0};
   const PairProperties<double> pair = pair_properties(sphere(glass, 1e-3), plane(glass));
-  const Hill<double> law = hill<double>({0.5, 2e4, 0.1});
+  HillProperties<double> properties;
+  properties.friction = 0.5;
+  properties.suction = 2e4;
+  properties.damping_constant = 0.1;
+  const Hill<double> law = hill(properties);
 
   ContactKinematics<double> kinematics{};
   kinematics.normal = {1.0, 0.0, 0.0};

@@ -8,5 +8,8 @@ double force_in_other_unit(double overlap) {
   kinematics.normal = {1.0, 0.0, 0.0};
   kinematics.overlap = overlap;
   kinematics.velocity.setZero();
-  return dry_hill<double>({0.5, 0.0, 0.1}).step(pair, kinematics, {}).normal_elastic;
+  DryHillProperties<double> properties;
+  properties.friction = 0.5;
+  properties.damping_constant = 0.1;
+  return dry_hill(properties).step(pair, kinematics, {}).normal_elastic;
 }

@@ -1,4 +1,5 @@
 #include "contactlaws/core/validate.hpp"
+#include "make_laws.hpp"
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
@@ -69,11 +70,11 @@ TEST_CASE("Validate: what is in range is handed back") {
   const Gadget gadget{2.0, 0.0};
   CHECK(checked(gadget).width == 2.0);
   CHECK(checked(gadget).share == 0.0);
-  CHECK(checked(hill<double>({0.4, 2e5, 0.07})).bridge.suction == 2e5);
+  CHECK(checked(test::hill<double>(0.4, 2e5, 0.07)).bridge.suction == 2e5);
 }
 
 TEST_CASE("Validate: the slots of a law are looked at one by one") {
-  Hill<double> law = hill<double>({0.4, 2e5, 0.07});
+  Hill<double> law = test::hill<double>(0.4, 2e5, 0.07);
   law.bridge.suction = -1.0;
   CHECK_THROWS_WITH(checked(law), Equals("SuctionBridge: suction is -1 Pa, must lie in [0, inf)"));
   law.damping.damping_constant = nan;

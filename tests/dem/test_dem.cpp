@@ -13,6 +13,7 @@
 #include "examples/dem/checkpoint.hpp"
 #include "examples/dem/output.hpp"
 #include "examples/dem/settle.hpp"
+#include "make_laws.hpp"
 #include "random.hpp"
 
 using namespace contactlaws;
@@ -51,7 +52,7 @@ std::vector<Ball> cloud(Random& random, int count, double edge, double speed) {
 }
 
 Scene rushing_cloud(const std::vector<Ball>& balls, double edge) {
-  Scene scene(hill<double>({0.4, 1e3, 0.1}), linear(5e6));
+  Scene scene(test::hill<double>(0.4, 1e3, 0.1), linear(5e6));
   for (const dem::Wall& wall : dem::box_of_walls(plane(soft), V::Zero(), V::Constant(edge))) scene.add(wall);
   for (const Ball& ball : balls) scene.add(ball);
   scene.gravity = {0.0, 0.0, -9.81};
@@ -153,7 +154,7 @@ TEST_CASE("nothing depends on when neighbours were listed, to the last bit") {
 }
 
 TEST_CASE("a bridge is remembered across listings until its range ends, then forgotten") {
-  dem::Simulation<Hill<double>> scene(hill<double>({0.4, 200e3, 0.0}));
+  dem::Simulation<Hill<double>> scene(test::hill<double>(0.4, 200e3, 0.0));
   scene.add(Ball{sphere(granite, 7.5e-3), V::Zero(), V::Zero(), V::Zero(), false});
   const int top = scene.add(Ball{sphere(granite, 5e-3), {0.0, 0.0, 12.5e-3}, V::Zero(), V::Zero(), false});
   scene.skin = 1e-6;
@@ -251,7 +252,7 @@ TEST_CASE("a bounce without damping keeps its energy, to the square of the step"
   const double height = 5e-3, radius = 5e-3;
   std::vector<double> errors;
   for (const double step : {4e-6, 2e-6, 1e-6}) {
-    dem::Simulation<DryHill<double>> scene(dry_hill<double>({}));
+    dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.0));
     scene.add(dem::Wall{plane(soft), V::Zero(), V::UnitZ()});
     scene.add(Ball{sphere(soft, radius), {0.0, 0.0, radius + height}});
     scene.gravity = {0.0, 0.0, -9.81};
@@ -322,7 +323,7 @@ TEST_CASE("results do not depend on the order in which balls enter, but for roun
 // Motion --------------------------------------------------------------------------------------------------------------
 
 TEST_CASE("local damping takes its share of each component, against the motion") {
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.0));
   scene.add(Ball{sphere(granite, 5e-3), V::Zero(), {0.0, 1.0, 1.0}});
   scene.gravity = {-10.0, -10.0, 10.0};
   scene.local_damping = 0.7;
@@ -332,7 +333,7 @@ TEST_CASE("local damping takes its share of each component, against the motion")
 }
 
 TEST_CASE("a driven wall takes balls along, and fixed balls stay") {
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.0));
   const int wall = scene.add(dem::Wall{plane(soft), V::Zero(), V::UnitZ()});
   const int fixed = scene.add(Ball{sphere(soft, 5e-3), {0.0, 0.0, 40e-3}, V::Zero(), V::Zero(), false});
   scene.add(Ball{sphere(soft, 5e-3), {0.0, 0.0, 12e-3}});  // 7 mm away: not listed at first
@@ -376,7 +377,7 @@ TEST_CASE("a grain a hundred times smaller falls through a gap of large ones wit
     const double damping = damping_constant(0.5, Spring::hertz, Tension::allowed);
     // Between two large grains that touch, the small one sits in a wedge of sqrt(2 r/R) = 0.14 rad to either side, and
     // friction beyond its tangent would jam it there in truth.
-    dem::Simulation<DryHill<double>> scene(dry_hill<double>({0.1, 0.0, damping}));
+    dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.1, damping));
     scene.gravity = {0.0, 0.0, -9.81};
     const double large = 10e-3, small = 0.1e-3;
     for (int k = 0; k < 3; ++k) {
@@ -403,7 +404,7 @@ TEST_CASE("a grain a hundred times smaller falls through a gap of large ones wit
 }
 
 TEST_CASE("the unbalanced ratio weighs forces and moments against what presses and pulls") {
-  Scene scene(hill<double>({0.4, 200e3, 0.0}), linear(29e6));
+  Scene scene(test::hill<double>(0.4, 200e3, 0.0), linear(29e6));
   scene.add(dem::Wall{plane(granite), V::Zero(), V::UnitZ()});
   scene.add(Ball{sphere(granite, 5e-3), {0.0, 0.0, 4.999e-3}, V::UnitX()});
   scene.add(Ball{sphere(granite, 7.5e-3), {0.0, 0.0, 4.999e-3 + 12.499e-3}});
@@ -442,7 +443,7 @@ TEST_CASE("the stable step of one spring, on either side of a contact") {
 }
 
 TEST_CASE("settling ends at rest, and at Ctrl-C") {
-  Scene scene(hill<double>({0.4, 0.0, 0.07}), linear(29e6));
+  Scene scene(test::hill<double>(0.4, 0.0, 0.07), linear(29e6));
   scene.add(dem::Wall{plane(granite), V::Zero(), V::UnitZ()});
   scene.add(Ball{sphere(granite, 5e-3), {0.0, 0.0, 6e-3}});
   scene.gravity = {0.0, 0.0, -9.81};
@@ -469,7 +470,7 @@ TEST_CASE("settling ends at rest, and at Ctrl-C") {
 // What is refused, and what is warned of ------------------------------------------------------------------------------
 
 TEST_CASE("bad input says what, its value, unit and range") {
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.0));
   const ContactBody<double> side = sphere(granite, 5e-3);
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(scene.add(Ball{plane(granite), V::Zero()}),
@@ -503,7 +504,7 @@ TEST_CASE("bad input says what, its value, unit and range") {
 }
 
 TEST_CASE("grains that start too deep in each other are named") {
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.0));
   std::ostringstream log;
   scene.log = &log;
   scene.add(dem::Wall{plane(granite), {0.0, 0.0, -4e-3}, V::UnitZ()});

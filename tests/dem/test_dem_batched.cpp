@@ -2,6 +2,7 @@
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
 #include "examples/dem/simulation.hpp"
+#include "make_laws.hpp"
 #include "random.hpp"
 
 using namespace contactlaws;
@@ -52,7 +53,7 @@ double largest_difference(const One& one, const Other& other) {
 }  // namespace
 
 TEST_CASE("packs give the bits of one contact at a time, with every tail, through walls and listings") {
-  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.1});
+  const DryHill<double> law = test::dry_hill<double>(0.4, 0.1);
   for (const int count : {2, 3, 5, 16, 63, 64}) {
     dem::Simulation<DryHill<double>, DryHill<double>, double> one_by_one(law);
     dem::Simulation<DryHill<double>> in_packs(law);
@@ -70,7 +71,7 @@ TEST_CASE("packs give the bits of one contact at a time, with every tail, throug
 }
 
 TEST_CASE("the law asked again about one contact says what its pack was told") {
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({0.4, 0.0, 0.1}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.4, 0.1));
   fill(scene, 64);
   int touching = 0, sliding = 0;
   for (int step = 0; step < 1000; ++step) {
@@ -90,7 +91,7 @@ TEST_CASE("the law asked again about one contact says what its pack was told") {
 }
 
 TEST_CASE("a wet contact differs from its pack by the rounding of exp alone") {
-  dem::Simulation<Hill<double>> scene(hill<double>({0.4, 1e3, 0.1}));
+  dem::Simulation<Hill<double>> scene(test::hill<double>(0.4, 1e3, 0.1));
   fill(scene, 64);
   wet_all(scene);
   int pulling = 0;
@@ -109,7 +110,7 @@ TEST_CASE("a wet contact differs from its pack by the rounding of exp alone") {
 }
 
 TEST_CASE("any number of threads gives the same bits") {
-  const Hill<double> law = hill<double>({0.4, 1e3, 0.1});
+  const Hill<double> law = test::hill<double>(0.4, 1e3, 0.1);
   dem::Simulation<Hill<double>> alone(law);
   fill(alone, 61);
   wet_all(alone);
@@ -126,7 +127,7 @@ TEST_CASE("any number of threads gives the same bits") {
 }
 
 TEST_CASE("a scene without contacts, without balls, and with more threads than either") {
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({0.4}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.4));
   scene.threads = 4;
   scene.time_step = 1e-3;
   scene.step();

@@ -3,6 +3,7 @@
 #include "contactlaws/damping/restitution.hpp"
 #include "contactlaws/laws.hpp"
 #include "examples/dem/simulation.hpp"
+#include "make_laws.hpp"
 
 using namespace contactlaws;
 using dem::Ball;
@@ -167,7 +168,7 @@ TEST_CASE("S2: a sliding ball slows by mu g until it rolls at 5/7 of its speed")
   const double weight = gravity * pair.effective_mass;
   const double sunk =
       std::pow(weight / (4.0 / 3.0 * pair.effective_young * std::sqrt(pair.effective_radius)), 2.0 / 3.0);
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({friction, 0.0, 0.1}));  // dashpots calm the start of rolling
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(friction, 0.1));  // dashpots calm the start of rolling
   scene.add(dem::Wall{plane(material), V::Zero(), V::UnitZ()});
   scene.add(Ball{sphere(material, radius), {0.0, 0.0, radius - sunk}, {speed, 0.0, 0.0}});
   scene.gravity = {0.0, 0.0, -gravity};
@@ -187,7 +188,7 @@ TEST_CASE("S2: a sliding ball slows by mu g until it rolls at 5/7 of its speed")
 TEST_CASE("S3: equal spheres with equal opposite spin keep both, exactly") {
   const ElasticMaterial<double> material{70e9, 0.33, 2700.0};
   const double radius = 2.5e-3;
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({0.4, 0.0, 0.1}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.4, 0.1));
   const V spin(0.0, 300.0, -70.0);
   scene.add(Ball{sphere(material, radius), {-radius, 0.0, 0.0}, {3.9, 0.0, 0.0}, spin});
   scene.add(Ball{sphere(material, radius), {radius, 0.0, 0.0}, {-3.9, 0.0, 0.0}, -spin});

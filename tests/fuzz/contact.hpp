@@ -22,7 +22,7 @@ Slot drawn(Slot slot, Bytes& bytes) {
     const std::string unit = p.unit;
     if (p.range.low_included && bytes.one_in(8)) {
       value = p.range.low;
-    } else if (p.range.high < Range::infinity) {
+    } else if (p.range.high < Range::unbounded) {
       value = bytes.one_in(8) ? p.range.high : p.range.low + (p.range.high - p.range.low) * bytes.fraction();
     } else if (unit == "Pa") {
       value = bytes.magnitude(-10, 60);

@@ -1,4 +1,5 @@
 #include "contactlaws/damping/dashpots.hpp"
+#include "make_laws.hpp"
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
@@ -17,7 +18,7 @@ ContactKinematics<double> moving(double overlap, double separating) {
 
 TEST_CASE("Dashpots: alpha sqrt(m* k_n) o^(1/4), with k_n o^(1/2) the secant, not the tangent") {
   const PairProperties<double> pair = granite_pair<double>();
-  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.07});
+  const DryHill<double> law = test::dry_hill<double>(0.4, 0.07);
   const double overlap = 2e-4;
   const auto step = law.step(pair, moving(overlap, -100.0), {});
   // Memo, Table 4: alpha_n = alpha_h sqrt(m* k_n), k_n as printed to 15 digits.
@@ -43,7 +44,7 @@ TEST_CASE("Dashpots: oppose the motion, and rest with it") {
 
 TEST_CASE("Dashpots: the end of an impact pulls where tension is allowed, and never where it is clipped") {
   const PairProperties<double> pair = granite_pair<double>();
-  const DryHill<double> pulls = dry_hill<double>({0.4, 0.0, 0.5});
+  const DryHill<double> pulls = test::dry_hill<double>(0.4, 0.5);
   const DryHill<double, Tension::clipped> never{{}, {0.5}, {{}, 0.4}, {}};
   for (const double overlap : {1e-12, 1e-8, 1e-5}) {
     CHECK(pulls.step(pair, moving(overlap, 5.0), {}).normal_force < 0.0);
@@ -56,7 +57,7 @@ TEST_CASE("Dashpots: the end of an impact pulls where tension is allowed, and ne
 
 TEST_CASE("Dashpots, fault: damping is NaN as the overlap goes to 0 with cohesion") {
   const PairProperties<double> pair = granite_pair<double>();
-  const Hill<double> law = hill<double>({0.4, 2e5, 0.07});
+  const Hill<double> law = test::hill<double>(0.4, 2e5, 0.07);
   Hill<double>::State wet{};
   Hill<double>::make_wet(wet, 0.0, 0.0);
   const double tiny = std::numeric_limits<double>::denorm_min();
@@ -73,7 +74,7 @@ TEST_CASE("Dashpots, fault: damping is NaN as the overlap goes to 0 with cohesio
 TEST_CASE("Dashpots, fault: 0/0 at an undamped wall") {
   const ElasticMaterial<double> granite{29e9, 0.15, 2650};
   const PairProperties<double> pair = pair_properties(plane(granite), sphere(granite, 5e-3));
-  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.0});
+  const DryHill<double> law = test::dry_hill<double>(0.4, 0.0);
   const ContactLaw<Hertz<double>, NoDashpots<double>, ShearForce<double>> without{{}, {}, {{}, 0.4}, {}};
   for (const double overlap : {0.0, 1e-6}) {
     ContactKinematics<double> contact = moving(overlap, 0.0);

@@ -1,4 +1,5 @@
 #include "contactlaws/tangential/incremental_shear.hpp"
+#include "make_laws.hpp"
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
@@ -103,7 +104,7 @@ TEST_CASE("Shear, fault: with a displacement history the force changes with the 
 
 TEST_CASE("Shear: friction limits spring and dashpot together, after the spring alone") {
   const PairProperties<double> pair = granite_pair<double>();
-  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.5});
+  const DryHill<double> law = test::dry_hill<double>(0.4, 0.5);
   const double overlap = 1e-4, strength = 0.4 * 1083.30463206478;
   const auto slide = [&](double distance, double dt, const DryHill<double>::State& state) {
     return law.step(pair, {{0, 0, 1}, overlap, {distance / dt, 0, 0}, dt}, state);
@@ -124,7 +125,7 @@ TEST_CASE("Shear: friction limits spring and dashpot together, after the spring 
 
 TEST_CASE("Shear, fault: Coulomb limit when damping makes the normal force negative") {
   const PairProperties<double> pair = granite_pair<double>();
-  const DryHill<double> law = dry_hill<double>({0.4, 0.0, 0.5});
+  const DryHill<double> law = test::dry_hill<double>(0.4, 0.5);
   const auto pressed = law.step(pair, {{0, 0, 1}, 1e-6, {1.0, 0, 0}, 1e-6}, {});
   REQUIRE(pressed.force.x() < 0.0);
   const auto pulled = law.step(pair, {{0, 0, 1}, 1e-6, {1.0, 0, 5.0}, 1e-6}, pressed.state);
@@ -136,7 +137,7 @@ TEST_CASE("Shear, fault: Coulomb limit when damping makes the normal force negat
 
 TEST_CASE("Shear: friction counts the surface force, not the pull of a bridge") {
   const PairProperties<double> pair = granite_pair<double>();
-  const Hill<double> law = hill<double>({0.4, 2e5, 0.0});
+  const Hill<double> law = test::hill<double>(0.4, 2e5, 0.0);
   Hill<double>::State wet{};
   Hill<double>::make_wet(wet, 0.0, 0.0);
   const auto step = law.step(pair, {{0, 0, 1}, 5.946e-6, {100.0, 0, 0}, 1e-6}, wet);
@@ -186,9 +187,9 @@ TEMPLATE_TEST_CASE("Shear: accuracy of the friction limit", "", double, float) {
     };
     const Vec3<T> force(component(), component(), random.binary<T>(scale, scale));
     const T strength = random.binary<T>(std::max(scale - 10, least), scale);
-    const auto computed = detail::friction_limit<T>(force, strength);
+    const auto computed = detail::length_limit<T>(force, strength, strength);
     const Vec3<Binary200> precisely(Binary200(force.x()), Binary200(force.y()), Binary200(force.z()));
-    const auto exact = detail::friction_limit<Binary200>(precisely, Binary200(strength));
+    const auto exact = detail::length_limit<Binary200>(precisely, Binary200(strength), Binary200(strength));
     factor.see(ulps(computed.factor, exact.factor), force.x(), force.y(), force.z(), strength);
     if (detail::surely_within<T>(force, strength)) CHECK_FALSE(computed.exceeded);
   }

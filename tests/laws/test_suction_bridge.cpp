@@ -1,4 +1,5 @@
 #include "contactlaws/bridge/suction_bridge.hpp"
+#include "make_laws.hpp"
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
@@ -103,7 +104,7 @@ TEST_CASE("Bridge: energy is the work to rupture, in closed form and as the inte
 }
 
 TEST_CASE("Bridge: a ruptured contact that parts is no longer active, and tells how far it reached") {
-  const Hill<double> law = hill<double>({0.4, 2e5, 0.0});
+  const Hill<double> law = test::hill<double>(0.4, 2e5, 0.0);
   const PairProperties<double> pair = granite_pair<double>();
   Hill<double>::State state{};
   Hill<double>::make_wet(state, 0.0, 0.0);
@@ -113,7 +114,7 @@ TEST_CASE("Bridge: a ruptured contact that parts is no longer active, and tells 
   CHECK(at(0.999 * range).active);
   CHECK(at(0.999 * range).force.x() < 0.0);  // on body 2, towards body 1
   CHECK_FALSE(at(range).active);
-  CHECK(dry_hill<double>({0.4, 0.0, 0.0}).interaction_range(pair) == 0.0);
+  CHECK(test::dry_hill<double>(0.4, 0.0).interaction_range(pair) == 0.0);
 }
 
 TEMPLATE_TEST_CASE("Bridge: accuracy", "", double, float) {

@@ -235,7 +235,7 @@ class Kernels {
         [vector](const auto& x) {
           using S = std::decay_t<decltype(x[0])>;
           const Vec3<S> force = vector(x, 0);
-          return Vec3<S>(force * detail::friction_limit<S>(force, x[3]).factor);
+          return Vec3<S>(force * detail::length_limit<S>(force, x[3], x[3]).factor);
         },
         [component](Random& r) {
           const T size = r.binary<T>(smallest_exponent<T> / 4, 60), limit = r.binary<T>(-30, 0);

@@ -6,6 +6,7 @@
 #include "contactlaws/batch.hpp"
 #include "contactlaws/scalars/xsimd.hpp"
 #include "laws_along_paths.hpp"
+#include "make_laws.hpp"
 
 using namespace contactlaws;
 using namespace contactlaws::test;
@@ -207,7 +208,7 @@ int main() {
     print_batch<float>(name, law, paths);
   };
   using D = double;
-  print_batches("Hill in batches", hill<D>({0.4, 2e5, 0.07}));
+  print_batches("Hill in batches", test::hill<D>(0.4, 2e5, 0.07));
   print_batches("DisplacementRescaled Rotate in batches",
                 compose(Hertz<D>{}, Dashpots<D, Tension::clipped>{0.6},
                         ShearDisplacementRescaled<D, Mindlin<D>, rotation::Rotate<D>>{{}, 0.5}, Dry<D>{}));

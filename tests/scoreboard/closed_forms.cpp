@@ -3,6 +3,7 @@
 #include "contactlaws/damping/restitution.hpp"
 #include "examples/dem/simulation.hpp"
 #include "impact.hpp"
+#include "make_laws.hpp"
 #include "row.hpp"
 
 using namespace contactlaws;
@@ -138,7 +139,7 @@ void s2() {
   const auto pair = pair_properties(plane(material), sphere(material, radius));
   const double sunk = std::pow(
       gravity * pair.effective_mass / (4.0 / 3.0 * pair.effective_young * std::sqrt(pair.effective_radius)), 2.0 / 3.0);
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({friction, 0.0, 0.1}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(friction, 0.1));
   scene.add(dem::Wall{plane(material), Vector::Zero(), Vector::UnitZ()});
   scene.add(dem::Ball{sphere(material, radius), {0.0, 0.0, radius - sunk}, {speed, 0.0, 0.0}});
   scene.gravity = {0.0, 0.0, -gravity};
@@ -160,7 +161,7 @@ void s2() {
 
 void s3() {
   const ElasticMaterial<double> material{70e9, 0.33, 2700.0};
-  dem::Simulation<DryHill<double>> scene(dry_hill<double>({0.4, 0.0, 0.1}));
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.4, 0.1));
   const Vector spin(0.0, 300.0, -70.0);
   scene.add(dem::Ball{sphere(material, 2.5e-3), {-2.5e-3, 0.0, 0.0}, {3.9, 0.0, 0.0}, spin});
   scene.add(dem::Ball{sphere(material, 2.5e-3), {2.5e-3, 0.0, 0.0}, {-3.9, 0.0, 0.0}, -spin});

@@ -7,6 +7,7 @@
 #include "contactlaws/laws.hpp"
 #include "contactlaws/timestep.hpp"
 #include "impact.hpp"
+#include "make_laws.hpp"
 #include "row.hpp"
 
 using namespace contactlaws;
@@ -106,9 +107,9 @@ void publish(const std::string& name, Law law) {
 int main(int argc, char** argv) {
   const Effort effort(argc, argv);
   using T = double;
-  publish("Hertz, Mindlin, undamped", dry_hill<T>({0.4, 0.0, 0.0}));
-  publish("DryHill, alpha 0.07", dry_hill<T>({0.4, 0.0, 0.07}));
-  publish("DryHill, alpha 0.5", dry_hill<T>({0.4, 0.0, 0.5}));
+  publish("Hertz, Mindlin, undamped", test::dry_hill<T>(0.4, 0.0));
+  publish("DryHill, alpha 0.07", test::dry_hill<T>(0.4, 0.07));
+  publish("DryHill, alpha 0.5", test::dry_hill<T>(0.4, 0.5));
   publish("DryHill clipped, alpha 0.5", DryHill<T, Tension::clipped>{{}, {0.5}, {{}, 0.4}, {}});
   publish("Hertz, rescaled force", ContactLaw<Hertz<T>, NoDashpots<T>, ShearForceRescaled<T>>{{}, {}, {{}, 0.4}, {}});
   publish("LinearFriction", LinearFriction<T>{{5e8}, {}, {{0.6}, 0.4}, {}});

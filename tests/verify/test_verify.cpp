@@ -1,5 +1,6 @@
 // The kit on our own laws: they keep what they claim, and what they do not promise is found.
 #include "contactlaws/verify/verify.hpp"
+#include "make_laws.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -64,12 +65,12 @@ TEST_CASE("The named laws keep what they claim") {
   claims.restitution = 0.7;
   const double allowed = damping_constant(0.7, Spring::hertz, Tension::allowed);
   const double clipped = damping_constant(0.7, Spring::hertz, Tension::clipped);
-  CHECK(failures(check(dry_hill<double>({0.4, 0.0, allowed}), claims)) == Names{});
+  CHECK(failures(check(test::dry_hill<double>(0.4, allowed), claims)) == Names{});
   claims.no_tension = true;
   CHECK(failures(check(DryHill<double, Tension::clipped>{{}, {clipped}, {{}, 0.4}, {}}, claims)) == Names{});
 
   SECTION("Hill, wet: the bridge pulls from the start, and costs energy to break") {
-    const Hill<double> law = hill<double>({0.4, 2e5, 0.07});
+    const Hill<double> law = test::hill<double>(0.4, 2e5, 0.07);
     Hill<double>::State wet{};
     Hill<double>::make_wet(wet, 0.0, 0.0);
     Claims sticky = claims_of(0.4);
@@ -135,7 +136,7 @@ TEST_CASE("Every shear variant keeps what it promises, and no more") {
 
 TEST_CASE("Restitution is judged to 1e-3") {
   Claims claims = claims_of(0.0);
-  const DryHill<double> law = dry_hill<double>({0.0, 0.0, damping_constant(0.7, Spring::hertz, Tension::allowed)});
+  const DryHill<double> law = test::dry_hill<double>(0.0, damping_constant(0.7, Spring::hertz, Tension::allowed));
   for (const double off : {-2e-3, -5e-4, 5e-4, 2e-3}) {
     claims.restitution = 0.7 + off;
     CHECK(failures(check(law, claims)).empty() == (std::abs(off) < 1e-3));
@@ -180,7 +181,7 @@ TEST_CASE("A stiffness is that of loading or of unloading") {
 TEST_CASE("A law in float is judged by its own rounding") {
   const ElasticMaterial<float> rock{29e9f, 0.15f, 2650.0f};
   const auto of_rock = pair_properties(sphere(rock, 7.5e-3f), sphere(rock, 5e-3f));
-  const AnyLaw law = any_law(verify::adapt(dry_hill<float>({0.4f}), of_rock));
+  const AnyLaw law = any_law(verify::adapt(test::dry_hill<float>(0.4f), of_rock));
   Options o = options(claims_of(0.4));
   CHECK_FALSE(verify::check_all(law, o).passed());
   o.epsilon = std::numeric_limits<float>::epsilon();
@@ -190,7 +191,7 @@ TEST_CASE("A law in float is judged by its own rounding") {
 TEST_CASE("A loop that yields energy is reduced to one that our own ledger books the same way") {
   Claims claims = claims_of(0.4);
   claims.passive = true;
-  const DryHill<double> law = dry_hill<double>({0.4});
+  const DryHill<double> law = test::dry_hill<double>(0.4);
   const Report report = check(law, claims);
   REQUIRE(failures(report) == Names{"energy on closed loops"});
   const verify::Path& path = report.find("energy on closed loops")->path;
@@ -246,7 +247,7 @@ TEST_CASE("The bodies of a path move as it says, and their centres follow their 
 }
 
 TEST_CASE("Options out of range are told by name, value and unit") {
-  const AnyLaw law = any_law(verify::adapt(dry_hill<double>({0.4}), pair));
+  const AnyLaw law = any_law(verify::adapt(test::dry_hill<double>(0.4), pair));
   Options wrong = options({});
   wrong.mass2 = -1.0;
   CHECK_THROWS_WITH(verify::check_all(law, wrong), "verify::Options: mass2 is -1 kg, must lie in (0, inf)");
@@ -265,7 +266,7 @@ TEST_CASE("A report is a line per property, and its failures are files") {
   Options o = options({});
   o.claims.passive = true;
   o.folder = folder.string();
-  const Report report = verify::check_all(any_law(verify::adapt(dry_hill<double>({0.4}), pair)), o);
+  const Report report = verify::check_all(any_law(verify::adapt(test::dry_hill<double>(0.4), pair)), o);
   std::ostringstream text;
   text << report;
   const std::string file = (folder / "energy_on_closed_loops.csv").string();
@@ -277,7 +278,7 @@ TEST_CASE("A report is a line per property, and its failures are files") {
   std::filesystem::remove_all(folder);
 
   o.folder = (folder / "not_there").string();
-  CHECK_THROWS_WITH(verify::check_all(any_law(verify::adapt(dry_hill<double>({0.4}), pair)), o),
+  CHECK_THROWS_WITH(verify::check_all(any_law(verify::adapt(test::dry_hill<double>(0.4), pair)), o),
                     ContainsSubstring("not_there/energy_on_closed_loops.csv: cannot be written"));
 }
 
@@ -308,7 +309,7 @@ TEST_CASE("What a law does not offer or claim is not called passed") {
 }
 
 TEST_CASE("An open contact may answer with a force alone, and the rest is judged where it is told") {
-  const auto full = any_law(verify::adapt(dry_hill<double>({0.4}), pair));
+  const auto full = any_law(verify::adapt(test::dry_hill<double>(0.4), pair));
   AnyLaw terse = full;
   terse.call = [full](const verify::Bodies& b, double dt, AnyLaw::State& state) {
     const verify::Interaction all = full.call(b, dt, state);
@@ -332,7 +333,7 @@ TEST_CASE("A NaN is a failure wherever it is met, and no later number hides it")
   CHECK_FALSE(finding.see(2.0));
   CHECK(finding.failed());
 
-  const auto law = any_law(verify::adapt(dry_hill<double>({0.4}), pair));
+  const auto law = any_law(verify::adapt(test::dry_hill<double>(0.4), pair));
   for (const bool normal : {true, false}) {
     AnyLaw wrong = law;  // no stiffness is told of the shallow half of the contacts
     wrong.stiffness = [law, normal, nan](const verify::Bodies& b, const AnyLaw::State& state) {

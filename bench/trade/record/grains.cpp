@@ -23,7 +23,11 @@ int record(const std::string& name) {
   constexpr double radius = 5e-3, edge = 50e-3;
   const contactlaws::ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
   using Law = contactlaws::Hill<double>;
-  dem::Simulation<Law> scene(contactlaws::hill<double>({0.4, 200e3, 0.07}));
+  contactlaws::HillProperties<double> properties;
+  properties.friction = 0.4;
+  properties.suction = 200e3;
+  properties.damping_constant = 0.07;
+  dem::Simulation<Law> scene(contactlaws::hill(properties));
   scene.gravity = {1.0, 0.5, -9.81};  // [m/s^2]
   for (const dem::Wall& wall : dem::box_of_walls(contactlaws::plane(granite), Vec3::Zero(), Vec3::Constant(edge)))
     scene.add(wall);
