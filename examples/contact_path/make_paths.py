@@ -172,13 +172,13 @@ for name, factor, text in (
 # ---------------------------------------------------------------------------------------------------------------------
 # Two grains that turn as one: sheared, then turned by a quarter about y, then by a quarter about their own normal.
 t = Motion("Pressed, sheared by 20 um; then the pair turns as one by 90 degrees about y, and by 90 degrees about its normal.",
-           "spin")
+           "normal_spin")
 t.press(depth, 20)
 t.shear(20e-6, 20)
 for i in range(1, 46):
     t.step(depth, (sin(pi / 2 * i / 45), 0.0, cos(pi / 2 * i / 45)))
 for i in range(45):
-    t.step(depth, (1.0, 0.0, 0.0), spin=f"{pi / 2 / 45 / DT:.17g}")
+    t.step(depth, (1.0, 0.0, 0.0), normal_spin=f"{pi / 2 / 45 / DT:.17g}")
 t.write("rotating_pair.csv")
 force = k_s * sqrt(depth) * 20e-6
 expect("rotating_pair", "rotating_pair", 40, "fx", force, ROUNDING, "Eq. 15")
