@@ -15,7 +15,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM = ""
-EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "contact_path"
+EXAMPLE = Path(__file__).resolve().parents[3] / "examples" / "contact_path"
 HEADER = "dt,overlap,nx,ny,nz,vx,vy,vz\n"
 STEP = "1e-6,1e-4,0,0,1,0,0,-1\n"
 HERTZ = 'normal = "hertz"\n'
@@ -181,6 +181,42 @@ class Numbers(InTemporaryDirectory):
         wanted = float(self.drive(law_text("ballast"), fine)[-1]["fn_total"])
         law = law_text("ballast_incremental").replace("seed_force = 1e-6", "seed_force = 1e-12")
         self.assertAlmostEqual(float(self.drive(law, fine)[-1]["fn_total"]) / wanted - 1, -0.015, delta=0.001)
+
+    def test_surfaces_that_meet_again(self):
+        """After 30 um and a gap, at 20 um: the virgin curve, or Hertz's from the plastic overlap (Tolomeo & McDowell)."""
+        path = rows_of((EXAMPLE / "paths/ballast_cycles.csv").read_text())
+        virgin = {o: float(next(r["expected"] for r in rows_of((EXAMPLE / "expected.csv").read_text())
+                                if (r["law"], r["step"], r["column"]) == ("ballast", str(o), "fn_total"))) for o in (20, 30)}
+        hertz = 4 / 3 * 32e9 * math.sqrt(2.36e-3)
+        plastic = 30e-6 - (virgin[30] / hertz) ** (2 / 3)
+        again = next(i for i in range(66, len(path)) if abs(float(path[i]["overlap"]) - 20e-6) < 1e-12)
+        # On the same spot the indentation is 0.6 % of the overlap, of which it is a difference.
+        for recontact, force, tolerance in (("fresh_surface", virgin[20], 1e-12),
+                                            ("same_spot", hertz * (20e-6 - plastic) ** 1.5, 1e-10)):
+            law = law_text("ballast").replace("[shear]", f'recontact = "{recontact}"\n[shear]')
+            self.assert_close(self.drive(law, "ballast_cycles")[again]["fn_total"], force, tolerance)
+        self.assertEqual(self.drive(law_text("ballast"), "ballast_cycles")[again]["fn_total"],
+                         self.drive(law_text("ballast").replace("[shear]", 'recontact = "fresh_surface"\n[shear]'),
+                                    "ballast_cycles")[again]["fn_total"])  # the default
+
+    def test_rolling(self):
+        """M = -k_r w dt from the first step on, k_r = 9/4 k_n (mu_r R*)^2, up to mu_r R* F (Ai et al. 2011, model C)."""
+        law = '[normal]\nlaw = "linear"\nstiffness = 1e6\n[rolling]\nlaw = "spring"\nrolling_friction = 0.1\n' + PAIR
+        spin = HEADER.replace("\n", ",wx,wy,wz\n") + "1e-6,1e-4,0,0,1,0,0,0,0,2,7\n" * 400
+        rows = self.drive(law, spin)
+        stiffness, limit = 9 / 4 * 1e6 * (0.1 * 3e-3) ** 2, 0.1 * 3e-3 * 1e6 * 1e-4
+        self.assert_close(rows[0]["my"], -stiffness * 2e-6, 1e-14)
+        self.assert_close(rows[-1]["my"], -limit, 1e-14)
+        self.assertEqual({row["mx"] for row in rows} | {row["mz"] for row in rows} | {row["fx"] for row in rows} - {"-0"}, {"0"})
+        # dissipated: the work of the couple less what the spring stores; trapezoids of 200 steps to the limit
+        loaded = limit / stiffness
+        self.assert_close(rows[-1]["dissipated_energy"], limit * (800e-6 - loaded), 1e-2)
+
+    def test_adhesion(self):
+        """DMT: Hertz less 2 pi w R*."""
+        law = '[normal]\nlaw = "dmt"\nwork_of_adhesion = 10\n' + PAIR
+        smooth, adhesive = (self.drive(text, HEADER + STEP)[0] for text in (HERTZ + PAIR, law))
+        self.assert_close(float(smooth["fn_total"]) - float(adhesive["fn_total"]), 2 * math.pi * 10 * 3e-3, 1e-12)
 
     def test_restitution_is_the_damping_constant_that_it_names(self):
         # alpha = -sqrt(5) ln e / sqrt(ln^2 e + pi^2), and 2 z for a linear spring
@@ -352,6 +388,44 @@ class Forms(InTemporaryDirectory):
         self.assertEqual(run("--help").returncode, 0)
 
 
+class Notes(InTemporaryDirectory):
+    """Inputs that are allowed but probably not meant: exit code 0, the rows, and a note on the standard error."""
+
+    def notes(self, law, path):
+        result = run(self.file("law.toml", law), self.file("path.csv", path))
+        self.assertEqual(result.returncode, 0)
+        self.assertGreater(len(rows_of(result.stdout)), 0)
+        return result.stderr
+
+    def test_a_contact_that_never_touches(self):
+        opening = "".join(f"1e-6,-{i}e-5,0,0,1,0,0,-10\n" for i in (1, 2, 3))
+        self.assertIn("path.csv: note: the contact is open in every step", self.notes(HERTZ + PAIR, HEADER + opening))
+        bridge = '[bridge]\nlaw = "suction"\nsuction = 1\nwet = true\n'
+        self.assertNotIn("open in every step", self.notes(HERTZ + bridge + PAIR, HEADER + opening))
+
+    def test_overlap_and_velocity_that_contradict_each_other(self):
+        grows = "".join(f"1e-6,{i}e-5,0,0,{{}},0,0,-10\n" for i in (1, 2, 3))
+        self.assertEqual(self.notes(HERTZ + PAIR, HEADER + grows.format(1)), "")
+        self.assertIn("note: the overlap grows where the velocity separates", self.notes(HERTZ + PAIR, HEADER + grows.format(-1)))
+
+    def test_an_overlap_beyond_the_smaller_radius(self):
+        deep = HEADER + STEP + STEP.replace("1e-4", "{}")
+        self.assertEqual(self.notes(HERTZ + PAIR, deep.format("4.9e-3")), "")
+        self.assertIn("path.csv:3: note: the overlap is larger", self.notes(HERTZ + PAIR, deep.format("5.1e-3")))
+
+    def test_friction_as_an_angle(self):
+        self.assertIn("law.toml:4:12: note: [shear] friction is 30", self.notes(HERTZ + FORCE.replace("0.4", "30") + PAIR, HEADER + STEP))
+        for coefficient in ("0.4", "10", "100"):
+            self.assertEqual(self.notes(HERTZ + FORCE.replace("0.4", coefficient) + PAIR, HEADER + STEP), "")
+
+    def test_progress_of_a_long_run(self):
+        law = law_text("memo_hill_dashpots")
+        path = HEADER + STEP * 30000
+        result = run(self.file("law.toml", law), self.file("path.csv", path), "-o", self.directory / "out.csv", "--precision", "200")
+        self.assertIn("contact_path: ", result.stderr)
+        self.assertIn(" %", result.stderr)
+
+
 class Faults(InTemporaryDirectory):
     """Exit code 2, a message that names what is wrong, and nothing left behind."""
 
@@ -387,6 +461,10 @@ class Faults(InTemporaryDirectory):
         self.refuse_law(HERTZ + FORCE + "frction = 1\n" + PAIR, "law.toml:5:11: [shear] force", "'frction'", "friction")
         self.refuse_law(HERTZ + '[shear]\nlaw = "force"\n' + PAIR, "law.toml:2:1: [shear] friction is missing", "[0, inf)")
         self.refuse_law(HERTZ + FORCE.replace("0.4", "-0.5") + PAIR, "law.toml:4:12: [shear] friction is -0.5", "[0, inf)")
+        self.refuse_law(HERTZ + FORCE.replace("friction =", "friction_angle =") + PAIR, "'friction_angle'", "tangent of the angle")
+        self.refuse_law(linear + "stiffness = 1\n" + FORCE + 'stiffness = "mindlin"\n', "[shear] stiffness", "no contact radius")
+        self.refuse_law('normal = "jkr"\n' + PAIR, 'law.toml:1:10: [normal] law is "jkr"', "linear, hertz, dmt")
+        self.refuse_law(HERTZ + '[rolling]\nlaw = "spring"\n' + PAIR, "[rolling] rolling_friction is missing")
         self.refuse_law(HERTZ + FORCE.replace("0.4", "nan") + PAIR, "law.toml:4:12: [shear] friction is 'nan'", "[0, inf)")
         self.refuse_law(HERTZ + FORCE.replace("0.4", "inf") + PAIR, "law.toml:4:12: [shear] friction is 'inf'", "[0, inf)")
         self.refuse_law(HERTZ + FORCE.replace("0.4", '"a"') + PAIR, "law.toml:4:12: [shear] friction is '\"a\"'", "number")
