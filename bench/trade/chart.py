@@ -3,8 +3,8 @@
 
     python3 bench/trade/chart.py [directory]          (default: build/results, where `trade` writes trade.csv)
 
-Lower is more accurate, further left is cheaper. The band joins what nothing else beats on both, and these names are bold; the
-ring is the default. Tiers that fall on one another share a label.
+Lower is more accurate, further left is cheaper. The band joins the Pareto-optimal variants, whose names are bold; the ring is
+the default. Variants whose marks overlap share a label.
 """
 
 import csv
@@ -25,15 +25,15 @@ plt.rcParams.update({
     "legend.frameon": False, "legend.fontsize": 8, "mathtext.default": "regular", "figure.constrained_layout.use": True,
 })
 
-# What is chosen: colour (told apart by colour-blind readers too: Okabe & Ito), marker, words.
+# What is chosen: colour (Okabe & Ito, for colour-blind readers too), marker, words.
 AXES = {
     "default": ("#0072b2", "o", "the default, in double"), "batch": ("#009e73", "D", "batches"),
-    "precision": ("#56b4e9", "s", "precision"), "carrying": ("#cc79a7", "^", "carrying of shear"),
+    "precision": ("#56b4e9", "s", "precision"), "rotation": ("#cc79a7", "^", "rotation of shear"),
     "history": ("#d55e00", "v", "shear history"),
-    "normal": ("#e69f00", "X", "normal form"), "step": ("#7f7f7f", ">", "several steps at once"),
+    "normal": ("#e69f00", "X", "normal law"), "step": ("#7f7f7f", ">", "several steps at once"),
     "slot": ("#202020", "x", "a slot left out"),
 }
-SCENES = {"oblique_impact": "Oblique impact", "cyclic_shear": "Cyclic shear, turning and twisting",
+MOTIONS = {"oblique_impact": "Oblique impact", "cyclic_shear": "Cyclic shear, turning and twisting",
           "reload": "Load, unload, reload", "wet_approach": "Approach and separation"}
 FLOOR = 1e-14  # of the chart: errors below are drawn here
 BAND, INK = "#d3dfea", "#262626"
@@ -43,9 +43,9 @@ def place(row):
     return float(row["ns"]), max(float(row["largest_error"]), FLOOR)
 
 
-def front(rows):
+def pareto(rows):
     best, line = float("inf"), []
-    for x, y in sorted(place(r) for r in rows if r["front"] == "yes"):
+    for x, y in sorted(place(r) for r in rows if r["pareto"] == "yes"):
         if y < best:
             line.append((x, y))
             best = y
@@ -53,7 +53,7 @@ def front(rows):
 
 
 def gathered(axes, rows, near=9):
-    """Tiers whose marks touch, together: a list of (x, y in pixels, rows)."""
+    """Variants whose marks touch, together: a list of (x, y in pixels, rows)."""
     groups = []
     for row in sorted(rows, key=lambda r: (r["axis"] != "default", place(r))):
         x, y = axes.transData.transform(place(row))
@@ -68,13 +68,13 @@ def gathered(axes, rows, near=9):
 
 
 def words(rows):
-    names = [r["tier"].replace("_", " ") for r in rows]
+    names = [r["variant"].replace("_", " ") for r in rows]
     lines = [", ".join(names[i:i + 2]) for i in range(0, len(names), 2)]
     return ",\n".join(lines)
 
 
 def place_labels(axes, rows, line, figure):
-    """Names beside marks: each at the nearest place where it covers nothing, led there by a hair if that is not beside it."""
+    """Names beside marks: each at the nearest place where it covers nothing, with a thin line to marks that are not beside it."""
     renderer, frame = figure.canvas.get_renderer(), axes.get_window_extent()
     groups = gathered(axes, rows)
     marks = [Bbox.from_bounds(x - 7, y - 7, 14, 14) for _, _, points, _ in groups for x, y in points]
@@ -87,7 +87,7 @@ def place_labels(axes, rows, line, figure):
     for x, y, _, members in sorted(groups, key=lambda g: (-len(g[3]), g[0])):
         label = axes.annotate(words(members), (0, 0), xytext=(0, 0), xycoords="figure pixels", textcoords="figure pixels",
                               fontsize=7.5, color=INK, linespacing=0.95, zorder=6,
-                              weight="bold" if any(m["front"] == "yes" for m in members) else "normal")
+                              weight="bold" if any(m["pareto"] == "yes" for m in members) else "normal")
         size = label.get_window_extent(renderer)
         best = None
         for reach in (11, 16, 24, 34, 46, 60, 76, 94):
@@ -118,10 +118,10 @@ def draw(law, rows):
     figure, panels = plt.subplots(2, 2, figsize=(11.5, 9.6), sharex=True, sharey=True)
     costs = [float(r["ns"]) for r in rows]
     right = max(costs) * 2.2
-    for axes, scene in zip(panels.flat, SCENES):
-        here = [r for r in rows if r["scene"] == scene]
-        axes.set(xscale="log", yscale="log", xlim=(min(costs) * 0.6, right), ylim=(FLOOR / 3, 100), title=SCENES[scene])
-        line = front(here)
+    for axes, motion in zip(panels.flat, MOTIONS):
+        here = [r for r in rows if r["motion"] == motion]
+        axes.set(xscale="log", yscale="log", xlim=(min(costs) * 0.6, right), ylim=(FLOOR / 3, 100), title=MOTIONS[motion])
+        line = pareto(here)
         axes.step([x for x, _ in line] + [right], [y for _, y in line] + [line[-1][1]], where="post", color=BAND, linewidth=5,
                   zorder=1, solid_capstyle="round")
         axes.axhline(1e-3, color="#8c8c8c", linewidth=0.8, linestyle=":", zorder=1)
@@ -141,15 +141,15 @@ def draw(law, rows):
     marks = [plt.Line2D([], [], color=AXES[a][0], marker=AXES[a][1], linestyle="", label=AXES[a][2],
                         **({"markersize": 9, "markerfacecolor": "none", "markeredgewidth": 1.8} if a == "default" else {}))
              for a in used]
-    marks.append(plt.Line2D([], [], color=BAND, linewidth=5, label="front: nothing is cheaper and as right"))
+    marks.append(plt.Line2D([], [], color=BAND, linewidth=5, label="Pareto front: nothing is cheaper and as accurate"))
     figure.legend(handles=marks, loc="lower center", ncols=5)
     figure.get_layout_engine().set(rect=(0, 0.06, 1, 0.94))
     figure.suptitle(f"{law.replace('_', ' ')}: what each choice costs and saves", fontweight="bold")
     figure.canvas.draw()
     figure.set_layout_engine("none")  # labels are placed in pixels: nothing may move now
-    for axes, scene in zip(panels.flat, SCENES):
-        here = [r for r in rows if r["scene"] == scene]
-        place_labels(axes, here, front(here), figure)
+    for axes, motion in zip(panels.flat, MOTIONS):
+        here = [r for r in rows if r["motion"] == motion]
+        place_labels(axes, here, pareto(here), figure)
     return figure
 
 

@@ -1,102 +1,155 @@
 // SPDX-License-Identifier: MIT
-// A composition: what a user may choose for a contact law, and what this program may simplify.
+// A law, and how it is computed; and what may be simplified about it.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
-#include "contactlaws/laws.hpp"
+#include "contact_path/law_spec.hpp"
 
 namespace trade {
 
-enum class NormalForm { linear, hertz, elastic, plastic, incremental };
-enum class Damping { none, allowed, clipped };
-enum class History { none, force, force_rescaled, displacement, displacement_rescaled };
-enum class Carrying { project, project_restore, rotate };
+using common::fail;
+using contact_path::Chosen;
+using contact_path::KeyTable;
+using contact_path::LawSpec;
+
 enum class Precision {
   in_double,
   law_in_float,  ///< geometry in double, the law in float
   in_float       ///< positions, geometry and law in float
 };
-enum class Path { scalar, batch };
+enum class Loop { scalar, batch };
 
 struct Composition {
-  NormalForm normal = NormalForm::hertz;
-  Damping damping = Damping::none;
-  History history = History::none;
-  Carrying carrying = Carrying::project_restore;
-  bool bridge = false;
+  LawSpec law;
   Precision precision = Precision::in_double;
-  Path path = Path::scalar;
-
-  bool is_rough() const { return normal != NormalForm::linear && normal != NormalForm::hertz; }
+  Loop loop = Loop::scalar;
 };
 
-inline const char* name(NormalForm x) {
-  switch (x) {
-    case NormalForm::linear:
-      return "linear";
-    case NormalForm::hertz:
-      return "hertz";
-    case NormalForm::elastic:
-      return "pohrt_popov";
-    case NormalForm::plastic:
-      return "pohrt_popov_elasto_plastic";
-    case NormalForm::incremental:
-      return "pohrt_popov_incremental";
-  }
-  return "";
-}
-inline const char* name(History x) {
-  switch (x) {
-    case History::none:
-      return "none";
-    case History::force:
-      return "force";
-    case History::force_rescaled:
-      return "force_rescaled";
-    case History::displacement:
-      return "displacement";
-    case History::displacement_rescaled:
-      return "displacement_rescaled";
-  }
-  return "";
-}
-inline const char* name(Carrying x) {
-  return x == Carrying::project ? "project" : x == Carrying::rotate ? "rotate" : "project_restore";
-}
 inline const char* name(Precision x) {
-  switch (x) {
-    case Precision::in_double:
-      return "double";
-    case Precision::law_in_float:
-      return "law in float";
-    case Precision::in_float:
-      return "float";
-  }
-  return "";
+  return x == Precision::in_double ? "double" : x == Precision::law_in_float ? "law in float" : "float";
 }
 
 /// In one line, slot by slot.
 inline std::string describe(const Composition& c) {
-  std::string text = name(c.normal);
-  if (c.damping != Damping::none) text += c.damping == Damping::clipped ? " + clipped dashpots" : " + dashpots";
-  if (c.history != History::none) text += std::string(" + shear ") + name(c.history) + '/' + name(c.carrying);
-  if (c.bridge) text += " + suction";
+  const LawSpec& law = c.law;
+  std::string text = law.normal.law;
+  if (law.damping.acts()) text += law.damping.word("tension") == "clipped" ? " + clipped dashpots" : " + dashpots";
+  if (law.shear.acts()) text += " + shear " + law.shear.law + '/' + law.shear.word("rotation");
+  if (law.bridge.acts()) text += " + " + law.bridge.law;
   return text + ", " + name(c.precision);
 }
 
-/// Numbers of a law, for whichever of its slots a composition has.
-struct Parameters {
-  contactlaws::PairProperties<double> pair;
-  double normal_stiffness = 0.0;                 ///< of the linear law, for this pair [N/m]
-  contactlaws::PohrtPopov<double> surface = {};  ///< of the rough laws
-  double seed_force = 1e-6;                      ///< of the incremental form [N]
-  double damping_constant = 0.0;                 ///< [1]
-  double friction = 0.0;                         ///< [1]
-  double ratio = 1.0;                            ///< shear stiffness over normal tangent [1]
-  contactlaws::SuctionBridge<double> bridge = {};
-  bool starts_wet = false;
-};
+/// @throws InputError for what would need more compositions than this program compiles (runs.hpp)
+inline void check_measured(const LawSpec& law) {
+  const auto only_default = [](const Chosen& chosen, const std::vector<KeyTable>& laws, const std::string& except) {
+    for (const KeyTable& keys : laws)
+      for (const contact_path::WordKey& key : keys.words)
+        if (keys.name == chosen.law && key.name != except && chosen.word(key.name) != key.words.front())
+          chosen.refuse(key.name, "= \"" + chosen.word(key.name) + "\" is not measured here, only the default, \"" +
+                                      key.words.front() + '"');
+  };
+  only_default(law.normal, keys_of(contact_path::normal_laws()), "");
+  const auto none = [](const Chosen& chosen, const char* key) {
+    if (chosen.has(key)) chosen.refuse(key, "is given, but not measured here");
+  };
+  none(law.damping, "shear_damping_constant");
+  none(law.shear, "static_friction");
+  if (law.shear.acts() && law.shear.word("stiffness") == "elastic_ratio")
+    law.shear.refuse("stiffness", "= \"elastic_ratio\" is not measured here, only mindlin and constant_ratio");
+  if (law.rolling.acts()) law.rolling.refuse("law", "is " + law.rolling.law + ", but rolling is not measured here");
+}
+
+/// The same law with another normal law, which takes the numbers that it needs. Mindlin's stiffness becomes the same ratio
+/// to the tangent where the other law has no contact radius.
+inline LawSpec with_normal(LawSpec law, const KeyTable& keys) {
+  law.normal.law = keys.name;
+  for (const contact_path::WordKey& key : keys.words) law.normal.words[key.name] = key.words.front();
+  if (law.shear.acts() && law.shear.word("stiffness") == "mindlin") law.shear.words["stiffness"] = "default";
+  check(law);
+  return law;
+}
+
+/// The normal laws that may replace the law's own: those before it in normal_laws() whose numbers and properties of the pair
+/// it has.
+inline std::vector<LawSpec> other_normals(const LawSpec& law) {
+  std::vector<LawSpec> others;
+  const std::vector<KeyTable> all = keys_of(contact_path::normal_laws());
+  const auto own =
+      std::find_if(all.begin(), all.end(), [&law](const KeyTable& keys) { return keys.name == law.normal.law; });
+  for (auto other = own; other != all.begin();) {
+    --other;
+    const bool has_numbers =
+        std::all_of(other->numbers.begin(), other->numbers.end(), [&law](const contact_path::NumberKey& key) {
+          return key.presence == contact_path::Presence::optional || law.normal.has(key.name);
+        });
+    const bool reads_as_much = std::all_of(other->reads.begin(), other->reads.end(), [&own](const std::string& name) {
+      return std::find(own->reads.begin(), own->reads.end(), name) != own->reads.end();
+    });
+    if (has_numbers && reads_as_much) others.push_back(with_normal(law, *other));
+  }
+  return others;
+}
+
+inline std::vector<std::string> names_of(const std::vector<KeyTable>& laws) {
+  std::vector<std::string> names;
+  for (const KeyTable& keys : laws) names.push_back(keys.name);
+  return names;
+}
+/// The other shear histories of a law with shear, and the other ways to rotate them.
+inline std::vector<LawSpec> other_histories(const LawSpec& law) {
+  std::vector<LawSpec> others;
+  for (const std::string& history : names_of(keys_of(contact_path::shear_laws()))) {
+    if (!law.shear.acts() || history == "none" || history == law.shear.law) continue;
+    others.push_back(law);
+    others.back().shear.law = history;
+  }
+  return others;
+}
+inline std::vector<LawSpec> other_rotations(const LawSpec& law) {
+  std::vector<LawSpec> others;
+  for (const char* rotation : {"project", "project_restore", "rotate"}) {
+    if (!law.shear.acts() || law.shear.word("rotation") == rotation) continue;
+    others.push_back(law);
+    others.back().shear.words["rotation"] = rotation;
+  }
+  return others;
+}
+/// The law without one of its slots: bridge, damping or shear.
+inline LawSpec without(LawSpec law, Chosen LawSpec::*slot) {
+  law.*slot = {(law.*slot).place, (law.*slot).title, "none", {}, {}, {}};
+  return law;
+}
+
+/// Every composition that may replace `law` where geometry is given in double. The law itself comes first.
+inline std::vector<Composition> simplifications(const LawSpec& law) {
+  std::vector<LawSpec> laws{law};
+  const auto extend = [&laws](const auto& others_of) {
+    const std::vector<LawSpec> before = laws;
+    for (const LawSpec& one : before)
+      for (const LawSpec& other : others_of(one)) laws.push_back(other);
+  };
+  const auto or_none = [&extend](Chosen LawSpec::*slot) {
+    extend([slot](const LawSpec& one) {
+      return (one.*slot).acts() ? std::vector<LawSpec>{without(one, slot)} : std::vector<LawSpec>{};
+    });
+  };
+  extend(other_normals);
+  extend(other_histories);
+  extend(other_rotations);
+  or_none(&LawSpec::damping);
+  or_none(&LawSpec::bridge);
+  // Without shear, histories and rotations are all the same law: once for each of the other slots.
+  const std::size_t with_shear = laws.size();
+  for (std::size_t i = 0; i < with_shear; ++i)
+    if (law.shear.acts() && laws[i].shear.law == law.shear.law && laws[i].shear.words == law.shear.words)
+      laws.push_back(without(laws[i], &LawSpec::shear));
+  std::vector<Composition> all;
+  for (const LawSpec& one : laws)
+    for (const Precision precision : {Precision::in_double, Precision::law_in_float}) all.push_back({one, precision});
+  return all;
+}
 
 }  // namespace trade

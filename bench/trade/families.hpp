@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scenes of the measurement: four families of motion, each of 32 contacts drawn with the seed 20190405, of 240 steps.
+// The motions of the measurement: four families, each of 32 contacts drawn with the seed 20190405, of 240 steps.
 //
 // Body 1 stands still, somewhere within 0.1 m of the origin (so that positions cost float its digits, as they do in a DEM
 // run); body 2 moves around it, as smooth functions of time say:
@@ -32,8 +32,8 @@
 #include <string>
 #include <vector>
 
-#include "composition.hpp"
-#include "scene.hpp"
+#include "contact_path/any_law.hpp"
+#include "trajectories.hpp"
 
 namespace trade {
 
@@ -68,13 +68,15 @@ inline const std::vector<std::string>& families() {
   return names;
 }
 
-/// A family's scene for a law; `multiple` steps at once.
-inline Scene make_scene(const std::string& family, const Parameters& p, bool rough, bool bridged,
-                        std::size_t multiple = 1, std::size_t contacts = 32) {
+/// The motions of a family for a law; `multiple` steps at once.
+inline Trajectories make_trajectories(const std::string& family, const contact_path::LawSpec& law,
+                                      std::size_t multiple = 1, std::size_t contacts = 32) {
   using namespace detail;
   constexpr std::size_t steps = 240, pressing = 40, cycle = 100;
   const bool cyclic = family == "cyclic_shear" || family == "reload";
-  const auto& pair = p.pair;
+  const auto pair = contact_path::build_pair<double>(law);
+  const bool rough = law.normal.has("roughness");
+  const double friction = law.shear.number_or<double>("friction", 0.0);
   const double half = pair.length / 2.0,
                root = std::sqrt(std::max(half * half - pair.effective_radius * pair.length, 0.0));
   const double radius1 = half + root, radius2 = half - root;  // R1 R2 / (R1 + R2) = R*
@@ -96,7 +98,7 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
     const double speed = std::sqrt(16.0 / 15.0 * pair.effective_young * std::sqrt(pair.effective_radius) *
                                    std::pow(deepest, 2.5) / pair.effective_mass);
     const double impact = 2.943275 * deepest / speed, slow = 20.0 * impact;
-    const double bearable = (p.friction > 0.0 ? p.friction : 0.4) * deepest;
+    const double bearable = (friction > 0.0 ? friction : 0.4) * deepest;
     const double first = between(0.0, 1.0), second = between(0.0, 1.0), third = between(-1.0, 1.0);
     const double start_of_cycle = slow * double(pressing) / double(cycle);
     ContactMotion m{{}, [](double) { return 0.0; }, [](double) { return 0.0; }, [](double) { return 0.0; }};
@@ -135,7 +137,8 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
       }
     } else {
       duration = slow;
-      const double rupture = bridged ? p.bridge.range(pair) : 2.0 * pair.min_radius;
+      const double rupture = law.bridge.acts() ? contact_path::build_law<double>(law, pair).interaction_range(pair)
+                                               : 2.0 * pair.min_radius;
       const double near = 0.3 * rupture, far = 1.3 * rupture;
       const double quarter = slow * 60.5 / double(steps);
       m.overlap = [=](double t) {
@@ -156,10 +159,10 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
                      duration});
   }
 
-  Scene scene;
-  scene.name = family;
-  scene.multiple = multiple;
-  scene.cycle_start = cyclic ? (pressing + cycle) / multiple : 0;
+  Trajectories trajectories;
+  trajectories.name = family;
+  trajectories.multiple = multiple;
+  trajectories.cycle_start = cyclic ? (pressing + cycle) / multiple : 0;
   for (std::size_t step = 0; step < steps / multiple; ++step) {
     for (const Drawn& d : drawn) {
       const double dt = d.duration / double(steps) * double(multiple);
@@ -174,13 +177,13 @@ inline Scene make_scene(const std::string& family, const Parameters& p, bool rou
         const auto at = contactlaws::sphere_sphere<T>(in(d.place), T(radius1), in(other), T(radius2));
         rows.push_back({at.normal, at.overlap, in(velocity), T(dt), T(d.motion.twist(then))});
       };
-      enter(double(0), scene.in_double);
-      enter(float(0), scene.in_float);
-      enter(Binary200(0), scene.exact);
+      enter(double(0), trajectories.in_double);
+      enter(float(0), trajectories.in_float);
+      enter(Binary200(0), trajectories.exact);
     }
-    scene.offset.push_back(scene.in_double.size());
+    trajectories.offset.push_back(trajectories.in_double.size());
   }
-  return scene;
+  return trajectories;
 }
 
 }  // namespace trade

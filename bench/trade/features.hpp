@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which features of a law a scene makes use of, in sentences.
+// Which features of a law a recorded motion uses, in sentences.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "composition.hpp"
+#include "contact_path/any_law.hpp"
 #include "reference.hpp"
 
 namespace trade {
@@ -25,28 +26,28 @@ struct Use {
   bool unloads = false;            ///< whether a touching contact ever separates
 };
 
-inline Use use_of(const Scene& scene, const Reference& reference) {
+inline Use use_of(const Trajectories& trajectories, const Reference& reference) {
   Use use;
-  std::vector<Vec3<double>> first(scene.contacts(), Vec3<double>::Zero());
-  std::vector<double> deepest(scene.contacts(), 0.0);
-  for (std::size_t step = 0; step < scene.steps(); ++step) {
-    for (std::size_t c = 0; c < scene.contacts_at(step); ++c) {
-      const std::size_t row = scene.offset[step] + c;
-      const ContactKinematics<double>& motion = scene.in_double[row];
-      const Truth& truth = reference.rows[row];
-      const Vec3<double> force = truth.force.cast<double>();
+  std::vector<Vec3<double>> first(trajectories.contacts(), Vec3<double>::Zero());
+  std::vector<double> deepest(trajectories.contacts(), 0.0);
+  for (std::size_t step = 0; step < trajectories.steps(); ++step) {
+    for (std::size_t c = 0; c < trajectories.contacts_at(step); ++c) {
+      const std::size_t row = trajectories.offset[step] + c;
+      const ContactKinematics<double>& motion = trajectories.in_double[row];
+      const ReferenceRow& right = reference.rows[row];
+      const Vec3<double> force = right.force.cast<double>();
       use.largest_force = std::max(use.largest_force, force.norm());
-      use.strongest_pull = std::max(use.strongest_pull, truth.bridge_force);
+      use.strongest_pull = std::max(use.strongest_pull, right.bridge_force);
       if (!(motion.overlap > 0.0)) {
         use.nearest_gap = std::min(use.nearest_gap, -motion.overlap);
         first[c].setZero();
         continue;
       }
       ++use.touching;
-      if (truth.sliding) ++use.sliding;
+      if (right.sliding) ++use.sliding;
       if (motion.overlap < deepest[c]) use.unloads = true;
       deepest[c] = std::max(deepest[c], motion.overlap);
-      use.strongest_damping = std::max(use.strongest_damping, std::abs(truth.normal_force - truth.normal_elastic));
+      use.strongest_damping = std::max(use.strongest_damping, std::abs(right.normal_force - right.normal_elastic));
       use.strongest_shear = std::max(use.strongest_shear, (force - motion.normal * force.dot(motion.normal)).norm());
       if (first[c].isZero(0.0)) first[c] = motion.normal;
       use.largest_turn =
@@ -73,7 +74,7 @@ struct Findings {
 };
 
 /// What is at most `tolerance` of the largest force counts as unused.
-inline Findings findings(const Use& use, const Composition& full, const Parameters& p, double tolerance) {
+inline Findings findings(const Use& use, const LawSpec& law, double tolerance) {
   using detail::number;
   using detail::share;
   Findings found;
@@ -81,20 +82,21 @@ inline Findings findings(const Use& use, const Composition& full, const Paramete
   const auto sort = [&found](bool used, const std::string& sentence) {
     (used ? found.used : found.unused).push_back(sentence);
   };
-  if (full.bridge) {
-    const double range = p.bridge.range(p.pair);
+  const auto pair = contact_path::build_pair<double>(law);
+  if (law.bridge.acts()) {
+    const double range = contact_path::build_law<double>(law, pair).interaction_range(pair);
     const std::string in_mm = number(range * 1e3) + " mm";
     const bool near = use.touching > 0 || use.nearest_gap < range;
-    if (!p.starts_wet) {
+    if (!law.bridge.is("wet")) {
       sort(false, "bridge: no contact is wet ([bridge] wet = true would make all wet)");
     } else if (!near) {
-      sort(false, "bridge: no contact of this scene came within the bridge's range (" + in_mm + ")");
+      sort(false, "bridge: no contact came within the bridge's range (" + in_mm + ")");
     } else {
       sort(use.strongest_pull > little, "bridge: no pull above " + number(use.strongest_pull) + " N, " +
                                             share(use.strongest_pull, use.largest_force));
     }
   }
-  if (full.history != History::none) {
+  if (law.shear.acts()) {
     if (use.sliding == 0) {
       sort(false, "friction limit: no contact slid");
     } else {
@@ -104,13 +106,15 @@ inline Findings findings(const Use& use, const Composition& full, const Paramete
     sort(use.strongest_shear > little, "shear: no shear force above " + number(use.strongest_shear) + " N, " +
                                            share(use.strongest_shear, use.largest_force));
     sort(use.largest_turn > 0.0 && use.strongest_shear > little,
-         "carrying: no contact turned by more than " + number(use.largest_turn * 180.0 / 3.14159265358979323846) +
+         "rotation: no contact turned by more than " + number(use.largest_turn * 180.0 / 3.14159265358979323846) +
              " degrees while it touched");
   }
-  if (full.damping != Damping::none)
+  if (law.damping.acts())
     sort(use.strongest_damping > little, "dashpots: no damping above " + number(use.strongest_damping) + " N, " +
                                              share(use.strongest_damping, use.largest_force));
-  if (full.normal == NormalForm::plastic || full.normal == NormalForm::incremental)
+  const bool has_history = with_law(contact_path::normal_laws(), contact_path::Given<double>{law.normal, pair, law},
+                                    [](const auto& normal) { return !normal.state_values().empty(); });
+  if (has_history)
     sort(use.unloads, use.unloads ? "loading history: contacts unloaded" : "loading history: no contact unloaded");
   return found;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A law put through a scene, in the two ways hosts have: one contact at a time, or on packs.
+// A law driven along trajectories in the two ways that hosts have: one contact at a time, or on packs.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "ballast/pohrt_popov_incremental.hpp"
 #include "contactlaws/scalars/xsimd.hpp"
 #include "run.hpp"
 
@@ -15,25 +14,7 @@ namespace detail {
 
 using namespace contactlaws;
 
-template <class Law>
-Law law_of(const Parameters& p) {
-  using Normal = decltype(Law::normal);
-  Law law;
-  if constexpr (std::is_same_v<Normal, LinearSpring<double>>) {
-    law.normal.normal_stiffness = p.normal_stiffness;
-  } else if constexpr (!std::is_same_v<Normal, Hertz<double>>) {
-    law.normal.exponent = p.surface.exponent;
-    law.normal.transition_overlap = p.surface.transition_overlap;
-  }
-  if constexpr (std::is_same_v<Normal, PohrtPopovIncremental<double>>) law.normal.seed_force = p.seed_force;
-  if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = p.damping_constant;
-  if constexpr (decltype(Law::shear)::acts) law.shear.friction = p.friction;
-  if constexpr (decltype(Law::shear)::acts && !std::is_same_v<Normal, Hertz<double>>) law.shear.ratio = p.ratio;
-  if constexpr (decltype(Law::bridge)::acts) law.bridge = p.bridge;
-  return checked(law);
-}
-
-/// `Law` one contact at a time: the two functions that know which law it is. Everything else of a run does not.
+/// `Law` one contact at a time: the two functions that depend on the law.
 template <class T, class Geometry>
 struct Kernel {
   std::shared_ptr<const void> law;
@@ -78,19 +59,22 @@ std::vector<typename Law::Scalar> first_state(bool wet) {
 }
 
 template <class T>
-const std::vector<ContactKinematics<T>>& motion_of(const Scene& scene) {
+const std::vector<ContactKinematics<T>>& motion_of(const Trajectories& trajectories) {
   if constexpr (std::is_same_v<T, float>) {
-    return scene.in_float;
+    return trajectories.in_float;
   } else {
-    return scene.in_double;
+    return trajectories.in_double;
   }
 }
 
 template <class T, class Geometry>
 class ScalarRun final : public Run {
  public:
-  ScalarRun(Kernel<T, Geometry> kernel, const Parameters& p, const Scene& scene)
-      : kernel_(std::move(kernel)), scene_(scene), pair_(scene.contacts(), p.pair.cast<T>()), force_(scene.rows()) {
+  ScalarRun(Kernel<T, Geometry> kernel, const PairProperties<double>& pair, const Trajectories& trajectories)
+      : kernel_(std::move(kernel)),
+        trajectories_(trajectories),
+        pair_(trajectories.contacts(), pair.cast<T>()),
+        force_(trajectories.rows()) {
     reset();
   }
   void reset() override {
@@ -99,8 +83,8 @@ class ScalarRun final : public Run {
       state_.insert(state_.end(), kernel_.first_state.begin(), kernel_.first_state.end());
   }
   void advance(std::size_t first, std::size_t last) override {
-    kernel_.advance(kernel_.law.get(), pair_.data(), motion_of<Geometry>(scene_).data(), &scene_.offset[first],
-                    last - first, state_.data(), force_.data());
+    kernel_.advance(kernel_.law.get(), pair_.data(), motion_of<Geometry>(trajectories_).data(),
+                    &trajectories_.offset[first], last - first, state_.data(), force_.data());
   }
   Vec3<double> force(std::size_t row) const override { return force_[row].template cast<double>(); }
   double stored_energy(std::size_t contact, double overlap) const override {
@@ -111,21 +95,21 @@ class ScalarRun final : public Run {
 
  private:
   const Kernel<T, Geometry> kernel_;
-  const Scene& scene_;
-  const std::vector<PairProperties<T>> pair_;  // one each, as a host has them
+  const Trajectories& trajectories_;
+  const std::vector<PairProperties<T>> pair_;  // one per contact, as a host stores them
   std::vector<T> state_;
   std::vector<Vec3<T>> force_;
 };
 
-/// `Law` on packs, over arrays with one quantity each.
+/// `Law` on packs, over one array per quantity.
 template <class Law>
 class BatchRun final : public Run {
  public:
   using T = typename Law::Scalar;
 
-  BatchRun(const Law& law, const Parameters& p, const Scene& scene)
-      : law_(law), scene_(scene), first_state_(first_state<Law>(p.starts_wet)), pair_(p.pair.cast<T>()) {
-    const auto& motion = motion_of<T>(scene);
+  BatchRun(const Law& law, const PairProperties<double>& pair, bool wet, const Trajectories& trajectories)
+      : law_(law), trajectories_(trajectories), first_state_(first_state<Law>(wet)), pair_(pair.cast<T>()) {
+    const auto& motion = motion_of<T>(trajectories);
     for (const auto& m : motion) {
       for (int i = 0; i < 3; ++i) normal_[std::size_t(i)].push_back(m.normal[i]);
       for (int i = 0; i < 3; ++i) velocity_[std::size_t(i)].push_back(m.velocity[i]);
@@ -134,11 +118,11 @@ class BatchRun final : public Run {
     }
     for (auto& column : force_) column.resize(motion.size());
     const std::array<T, 4> each{pair_.effective_radius, pair_.effective_mass, pair_.min_radius, pair_.length};
-    for (std::size_t i = 0; i < each.size(); ++i) pairs_[i].assign(scene.contacts(), each[i]);
+    for (std::size_t i = 0; i < each.size(); ++i) pairs_[i].assign(trajectories.contacts(), each[i]);
     reset();
   }
   void reset() override {
-    for (std::size_t i = 0; i < first_state_.size(); ++i) state_[i].assign(scene_.contacts(), first_state_[i]);
+    for (std::size_t i = 0; i < first_state_.size(); ++i) state_[i].assign(trajectories_.contacts(), first_state_[i]);
   }
   void advance(std::size_t first, std::size_t last) override {
     ContactBatch<Law> batch;
@@ -146,8 +130,8 @@ class BatchRun final : public Run {
                   pairs_[1].data(), pairs_[2].data(),      pairs_[3].data()};
     for (std::size_t i = 0; i < Law::state_size; ++i) batch.state[i] = batch.next[i] = state_[i].data();
     for (std::size_t step = first; step < last; ++step) {
-      const std::size_t row = scene_.offset[step];
-      batch.count = scene_.contacts_at(step);
+      const std::size_t row = trajectories_.offset[step];
+      batch.count = trajectories_.contacts_at(step);
       for (std::size_t i = 0; i < 3; ++i) {
         batch.normal[i] = normal_[i].data() + row;
         batch.velocity[i] = velocity_[i].data() + row;
@@ -170,7 +154,7 @@ class BatchRun final : public Run {
 
  private:
   const Law law_;
-  const Scene& scene_;
+  const Trajectories& trajectories_;
   const std::vector<T> first_state_;
   const PairProperties<T> pair_;
   std::array<std::vector<T>, 3> normal_, velocity_, force_;

@@ -2,19 +2,17 @@
 // The trade between speed and accuracy:
 //
 //   trade LAW.toml... [-o DIRECTORY]
-//       every tier of each law on every family of motions (families.hpp): writes trade.csv and trade.json
+//       every variant of each law on every family of motions (families.hpp): writes trade.csv and trade.json
 //   trade --replay RECORDING.csv --law LAW.toml [--tolerance 1e-3] [-o DIRECTORY]
-//       the cheapest composition that keeps the forces of a recorded scene, and what the scene never uses; with -o, all
-//       compositions in replay.csv
+//       the cheapest composition whose forces on a recorded motion are within the tolerance, and which features the motion
+//       does not use; with -o, all compositions in replay.csv
 //
-// Ends with 0; with 1 if no composition keeps the tolerance or a tier its bound (tiers.hpp); with 2 on a fault in its input, which it names, and then nothing
-// is written; with 130 if stopped with Ctrl-C.
-#include <exception>
+// Exit status: 0; 1 if no composition is within the tolerance, or a variant exceeds its rounding bound (variants.hpp); 2 for a
+// fault in the input, which it names, and then nothing is written; 130 after Ctrl-C.
 #include <filesystem>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
+#include "common/program.hpp"
 #include "contactlaws/scalars/xsimd.hpp"
 #include "measurement.hpp"
 #include "replay.hpp"
@@ -41,40 +39,40 @@ std::string processor() {
 
 int measure(const Arguments& arguments) {
   const std::string directory = arguments.directory.empty() ? "build/results" : arguments.directory;
-  std::vector<std::pair<std::string, LawDescription>> laws;
+  std::vector<std::pair<std::string, LawSpec>> laws;
   for (const std::string& file : arguments.laws) {
     laws.emplace_back(std::filesystem::path(file).stem().string(), contact_path::read_law(file));
     if (laws.back().second.bodies.empty())
-      contact_path::fail({file}, "[pair] must have bodies here: the families of motion move them");
-    composition_of(laws.back().second);
+      fail({file}, "[pair] must have bodies here: the families of motion move them");
+    check_measured(laws.back().second);
   }
   std::filesystem::create_directories(directory);
   Effort effort;
   effort.repetitions = arguments.repetitions;
-  std::vector<Row> rows;
+  std::vector<Measurement> rows;
   const common::InterruptGuard guard;
   {
     common::Progress progress("trade");
     for (std::size_t i = 0; i < laws.size() && !common::stop_requested(); ++i) {
       const auto of_law = [&](double done) { progress.at((double(i) + done) / double(laws.size())); };
-      const std::vector<Row> more = measure_law(laws[i].first, laws[i].second, effort, of_law);
+      const std::vector<Measurement> more = measure_law(laws[i].first, laws[i].second, effort, of_law);
       rows.insert(rows.end(), more.begin(), more.end());
     }
   }
-  if (common::stop_requested()) return 130;
+  if (common::stop_requested()) return common::stop_status();
   write_table(directory, rows,
               {{"processor", processor()},
                {"compiler", TRADE_COMPILER},
                {"lanes", contactlaws::ScalarTraits<contactlaws::PackOf<double>::type>::lanes}});
   std::cout << "written: " << directory << "/trade.csv and trade.json, " << rows.size() << " rows\n";
-  bool all_keep = true;
-  for (const Row& row : rows) {
-    if (keeps_bound(row)) continue;
-    all_keep = false;
-    std::cerr << "trade: " << row.law << ", " << row.scene << ", " << row.tier.name << ": rounding of " << row.rounding
-              << " is beyond its bound, " << rounding_bound(row.tier.composition.precision) << '\n';
+  bool all_within = true;
+  for (const Measurement& row : rows) {
+    if (within_bound(row)) continue;
+    all_within = false;
+    std::cerr << "trade: " << row.law << ", " << row.motion << ", " << row.variant.name << ": rounding of "
+              << row.rounding << " exceeds its bound, " << rounding_bound(row.variant.composition.precision) << '\n';
   }
-  return all_keep ? 0 : 1;
+  return all_within ? 0 : 1;
 }
 
 }  // namespace
@@ -82,19 +80,21 @@ int measure(const Arguments& arguments) {
 }  // namespace trade
 
 int main(int argc, char** argv) {
-  CLI::App app("What every simplification of a contact law costs in accuracy and saves in time.");
+  CLI::App app("What every simplification of a contact law costs in accuracy and saves in time.", "trade");
   trade::Arguments arguments;
   app.add_option("LAW.toml", arguments.laws, "laws to measure");
   app.add_option("-o,--output", arguments.directory,
                  "directory of the tables (default: build/results; a replay's: none)");
-  app.add_option("--replay", arguments.recording, "a recording of contacts: what does this scene require?");
-  app.add_option("--law", arguments.law, "the fullest model of the recorded contacts");
+  app.add_option("--replay", arguments.recording, "a recording of contacts: which features does it need?");
+  app.add_option("--law", arguments.law, "the full law of the recorded contacts");
   app.add_option("--tolerance", arguments.tolerance, "on forces, relative to the largest of a contact (default: 1e-3)")
-      ->check(CLI::Range(1e-18, 1e18));
+      ->check([](const std::string& text) {
+        const double value = common::is_decimal(text) ? common::rounded<double>(text) : 0.0;
+        return value >= 1e-18 && value <= 1e18 ? std::string() : text + " is not a number in [1e-18, 1e18]";
+      });
   app.add_option("--repetitions", arguments.repetitions, "timings of which the median is taken (default: 11)")
       ->check(CLI::Range(1, 1000));
-  try {
-    app.parse(argc, argv);
+  return common::run_program(app, argc, argv, [&] {
     if (arguments.recording.empty() != arguments.law.empty())
       throw CLI::ValidationError("--replay and --law belong together");
     if (!arguments.recording.empty())
@@ -102,10 +102,5 @@ int main(int argc, char** argv) {
                            arguments.directory);
     if (arguments.laws.empty()) throw CLI::ValidationError("nothing to do: name laws, or --replay and --law");
     return trade::measure(arguments);
-  } catch (const CLI::ParseError& fault) {
-    return app.exit(fault) == 0 ? 0 : 2;
-  } catch (const std::exception& fault) {
-    std::cerr << "trade: " << fault.what() << '\n';
-    return 2;
-  }
+  });
 }

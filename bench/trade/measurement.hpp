@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every tier of a law on every scene, against the law's fullest model: shear rotated exactly, 200 bits.
+// Every variant of a law on every family of motions, against the reference: the law with its shear rotated exactly, in 200
+// bits.
 #pragma once
 
 #include <fstream>
@@ -9,24 +10,23 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../../examples/common/output_file.hpp"
-#include "../../examples/common/progress.hpp"
-#include "description.hpp"
+#include "common/output_file.hpp"
+#include "common/progress.hpp"
 #include "families.hpp"
 #include "measure.hpp"
-#include "tiers.hpp"
+#include "variants.hpp"
 
 namespace trade {
 
-struct Row {
-  std::string law, scene;
-  Tier tier;
-  double ns;  ///< per contact and dt of the motion: a tier of several steps at once shares its cost among them
+struct Measurement {
+  std::string law, motion;
+  Variant variant;
+  double ns;  ///< per contact and dt of the motion: a variant of several steps at once shares its cost among them
   std::size_t bytes;
   Errors errors;
-  double rounding;     ///< from the same composition in 200 bits; NaN where more than rounding differs
-  double drift;        ///< NaN where the scene is no closed cycle
-  bool front = false;  ///< nothing else of this law is as right here and cheaper, or as cheap and more right
+  double rounding;      ///< from the same composition in 200 bits; NaN where more than rounding differs
+  double drift;         ///< NaN where the motion is no closed cycle
+  bool pareto = false;  ///< no other variant is as accurate here and cheaper, or as cheap and more accurate
 };
 
 struct Effort {
@@ -36,94 +36,91 @@ struct Effort {
 };
 
 /// Costs within 5 % and errors within 10 % of each other count as equal.
-inline void mark_front(std::vector<Row>& rows) {
-  for (Row& row : rows) {
-    row.front = std::none_of(rows.begin(), rows.end(), [&row](const Row& other) {
-      const double cost = other.ns / row.ns, error = other.errors.largest, as_right = 1.1 * row.errors.largest;
-      return (cost < 0.95 && error <= as_right) || (cost <= 1.05 && 1.1 * error < row.errors.largest);
+inline void mark_pareto(std::vector<Measurement>& rows) {
+  for (Measurement& row : rows) {
+    row.pareto = std::none_of(rows.begin(), rows.end(), [&row](const Measurement& other) {
+      const double cost = other.ns / row.ns, error = other.errors.largest, accurate = 1.1 * row.errors.largest;
+      return (cost < 0.95 && error <= accurate) || (cost <= 1.05 && 1.1 * error < row.errors.largest);
     });
   }
 }
 
-/// Whether a row keeps to its documented bound; a NaN does not.
-inline bool keeps_bound(const Row& row) {
-  return !row.tier.only_rounds() || row.rounding <= rounding_bound(row.tier.composition.precision);
+/// Whether the rounding is within its documented bound; false for a NaN.
+inline bool within_bound(const Measurement& row) {
+  return !row.variant.only_rounds() || row.rounding <= rounding_bound(row.variant.composition.precision);
 }
 
-/// `progress` is told the share of the work that is done.
+/// Calls progress(share of the work that is done).
 template <class Progress>
-std::vector<Row> measure_law(const std::string& law_name, const LawDescription& law, const Effort& effort,
-                             const Progress& progress) {
-  const Composition ours = composition_of(law);
-  const Parameters parameters = parameters_of(law);
-  LawDescription fullest = law;
-  if (ours.history != History::none) fullest.shear.words["carry"] = name(Carrying::rotate);
-  const std::vector<Tier> tiers = tiers_of(ours);
-  std::vector<Row> all;
+std::vector<Measurement> measure_law(const std::string& law_name, const LawSpec& law, const Effort& effort,
+                                     const Progress& progress) {
+  LawSpec exactly_rotated = law;
+  if (law.shear.acts()) exactly_rotated.shear.words["rotation"] = "rotate";
+  const std::vector<Variant> variants = variants_of(law);
+  std::vector<Measurement> all;
   double done = 0.0;
   for (const std::string& family : families()) {
-    const auto scene_of = [&](std::size_t multiple, std::size_t contacts) {
-      return make_scene(family, parameters, ours.is_rough(), ours.bridge, multiple, contacts);
+    const auto trajectories = [&](std::size_t multiple, std::size_t contacts) {
+      return make_trajectories(family, law, multiple, contacts);
     };
-    const Scene full = scene_of(1, 32);
-    const Scene few = scene_of(1, 8);
-    const Reference reference = solve(fullest, full), same = solve(law, full);
-    std::vector<Row> rows;
-    for (const Tier& tier : tiers) {
-      const Scene scene = tier.multiple > 1 ? scene_of(tier.multiple, 32) : full;
-      const auto run = make_run(tier.composition, parameters, scene);
-      if (!run) continue;  // not offered, run.hpp says why
+    const Trajectories full = trajectories(1, 32);
+    const Reference reference = solve(exactly_rotated, full), same = solve(law, full);
+    std::vector<Measurement> rows;
+    for (const Variant& variant : variants) {
+      const Trajectories motion = variant.multiple > 1 ? trajectories(variant.multiple, 32) : full;
+      const auto run = make_run(variant.composition, motion);
+      if (!run) continue;  // not offered: runs.hpp
       constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-      Row row{law_name,
-              family,
-              tier,
-              0.0,
-              run->state_bytes(),
-              compare(*run, scene, reference, full),
-              tier.only_rounds() ? compare(*run, scene, same, full).largest : unknown,
-              unknown};
-      row.ns = nanoseconds(*run, scene, effort.repetitions, effort.least) / double(tier.multiple);
-      if (scene.cycle_start > 0) {
-        const Scene few_steps = tier.multiple > 1 ? scene_of(tier.multiple, 8) : few;
-        row.drift = drift(*make_run(tier.composition, parameters, few_steps), few_steps, effort.drift_steps);
+      Measurement row{law_name,
+                      family,
+                      variant,
+                      0.0,
+                      run->state_bytes(),
+                      compare(*run, motion, reference, full),
+                      variant.only_rounds() ? compare(*run, motion, same, full).largest : unknown,
+                      unknown};
+      row.ns = nanoseconds(*run, motion, effort.repetitions, effort.least) / double(variant.multiple);
+      if (motion.cycle_start > 0) {
+        const Trajectories few = trajectories(variant.multiple, 8);
+        row.drift = drift(*make_run(variant.composition, few), few, effort.drift_steps);
       }
       rows.push_back(row);
-      done += 1.0 / double(tiers.size() * families().size());
+      done += 1.0 / double(variants.size() * families().size());
       progress(done);
       if (common::stop_requested()) return all;
     }
-    mark_front(rows);
+    mark_pareto(rows);
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;
 }
 
-/// @throws contact_path::InputError naming the file that cannot be written
-inline void write_table(const std::string& directory, const std::vector<Row>& rows,
+/// @throws InputError naming the file that cannot be written
+inline void write_table(const std::string& directory, const std::vector<Measurement>& rows,
                         const nlohmann::ordered_json& machine) {
   common::OutputFile csv(directory + "/trade.csv");
-  csv.stream() << "law,scene,axis,tier,composition,ns,state_bytes,largest_error,rms_error,energy_error,rounding,"
-                  "rounding_bound,drift,front\n";
+  csv.stream() << "law,motion,axis,variant,composition,ns,state_bytes,largest_error,rms_error,energy_error,rounding,"
+                  "rounding_bound,drift,pareto\n";
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   csv.stream().precision(4);
-  for (const Row& r : rows) {
-    const std::string composition = describe(r.tier.composition);
+  for (const Measurement& r : rows) {
+    const std::string composition = describe(r.variant.composition);
     const auto or_null = [](double x) {
       return std::isnan(x) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(x);
     };
-    csv.stream() << r.law << ',' << r.scene << ',' << r.tier.axis << ",\"" << r.tier.name << "\",\"" << composition
-                 << "\"," << r.ns << ',' << r.bytes << ',' << r.errors.largest << ',' << r.errors.rms << ','
-                 << r.errors.energy << ',';
-    if (r.tier.only_rounds())
-      csv.stream() << r.rounding << ',' << rounding_bound(r.tier.composition.precision) << ',';
+    csv.stream() << r.law << ',' << r.motion << ',' << r.variant.axis << ",\"" << r.variant.name << "\",\""
+                 << composition << "\"," << r.ns << ',' << r.bytes << ',' << r.errors.largest << ',' << r.errors.rms
+                 << ',' << r.errors.energy << ',';
+    if (r.variant.only_rounds())
+      csv.stream() << r.rounding << ',' << rounding_bound(r.variant.composition.precision) << ',';
     else
       csv.stream() << ",,";
     if (!std::isnan(r.drift)) csv.stream() << r.drift;
-    csv.stream() << ',' << (r.front ? "yes" : "no") << '\n';
+    csv.stream() << ',' << (r.pareto ? "yes" : "no") << '\n';
     list.push_back({{"law", r.law},
-                    {"scene", r.scene},
-                    {"axis", r.tier.axis},
-                    {"tier", r.tier.name},
+                    {"motion", r.motion},
+                    {"axis", r.variant.axis},
+                    {"variant", r.variant.name},
                     {"composition", composition},
                     {"ns", r.ns},
                     {"state_bytes", r.bytes},
@@ -132,7 +129,7 @@ inline void write_table(const std::string& directory, const std::vector<Row>& ro
                     {"energy_error", r.errors.energy},
                     {"rounding", or_null(r.rounding)},
                     {"drift", or_null(r.drift)},
-                    {"front", r.front}});
+                    {"pareto", r.pareto}});
   }
   csv.complete();
   common::OutputFile json(directory + "/trade.json");

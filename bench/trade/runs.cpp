@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: MIT
-// TRADE_HERTZ_ALONE: as the tests build it, without the other forms, which take two minutes to compile.
+// TRADE_ONLY: the one normal law that the tests build, as the others take minutes to compile.
 #include "run.hpp"
 
 namespace trade {
 
-template <NormalForm form>
-std::unique_ptr<Run> make_run_of(const Composition& composition, const Parameters& parameters, const Scene& scene);
+template <std::size_t index>
+std::unique_ptr<Run> make_run_of(const Composition& composition, const Trajectories& trajectories);
 
-std::unique_ptr<Run> make_run(const Composition& c, const Parameters& p, const Scene& scene) {
-  switch (c.normal) {
-    case NormalForm::hertz:
-      return make_run_of<NormalForm::hertz>(c, p, scene);
-#ifndef TRADE_HERTZ_ALONE
-    case NormalForm::linear:
-      return make_run_of<NormalForm::linear>(c, p, scene);
-    case NormalForm::elastic:
-      return make_run_of<NormalForm::elastic>(c, p, scene);
-    case NormalForm::plastic:
-      return make_run_of<NormalForm::plastic>(c, p, scene);
-    case NormalForm::incremental:
-      return make_run_of<NormalForm::incremental>(c, p, scene);
+namespace {
+
+template <std::size_t index = 0>
+std::unique_ptr<Run> make_run_from(const Composition& c, const Trajectories& t) {
+  using Laws = std::decay_t<decltype(contact_path::normal_laws())>;
+  if constexpr (index < std::tuple_size_v<Laws>) {
+    if (std::get<index>(contact_path::normal_laws()).keys.name != c.law.normal.law)
+      return make_run_from<index + 1>(c, t);
+#ifdef TRADE_ONLY
+    if constexpr (index == TRADE_ONLY)
 #endif
-    default:
-      return nullptr;
+      return make_run_of<index>(c, t);
   }
+  return nullptr;
 }
+
+}  // namespace
+
+std::unique_ptr<Run> make_run(const Composition& c, const Trajectories& t) { return make_run_from(c, t); }
 
 }  // namespace trade

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every composition around one normal law, made at compile time: a source file each, as there are hundreds.
+// Every composition around one normal law, made at compile time. CMakeLists.txt compiles one file per normal law, as there are
+// hundreds of compositions.
 #pragma once
 
 #include "law_run.hpp"
@@ -8,137 +9,85 @@ namespace trade {
 
 namespace detail {
 
-/// The normal law of a form, and the shear stiffness beside it.
-template <NormalForm form, class T>
-struct NormalOf;
+/// Slots that are not measured, to limit the number of compositions. check_measured() refuses them.
+template <class Slot>
+inline constexpr bool is_measured = true;
 template <class T>
-struct NormalOf<NormalForm::linear, T> {
-  using type = LinearSpring<T>;
-};
+inline constexpr bool is_measured<PohrtPopovElastoPlastic<T, Recontact::same_spot>> = false;
 template <class T>
-struct NormalOf<NormalForm::hertz, T> {
-  using type = Hertz<T>;
-};
+inline constexpr bool is_measured<PohrtPopovIncremental<T, Unloads::elastically>> = false;
+template <class T, Tension tension>
+inline constexpr bool is_measured<Dashpots<T, tension, ShearDashpot::given>> = false;
+template <class T, Stored stored, Unloading unloading, class Stiffness, class Rotation>
+inline constexpr bool is_measured<IncrementalShear<T, stored, unloading, Stiffness, Rotation, StaticKinetic<T>>> =
+    false;
+template <class T, Stored stored, Unloading unloading, class Rotation>
+inline constexpr bool is_measured<IncrementalShear<T, stored, unloading, ElasticRatio<T>, Rotation, Coulomb<T>>> =
+    false;
+
+/// Batches and pure float are offered with a force history (or none) that is not rotated, and tension allowed.
+template <class Shear>
+inline constexpr bool is_plain_shear = !Shear::acts;
+template <class T, class Stiffness>
+inline constexpr bool is_plain_shear<ShearForce<T, Stiffness>> = true;
+template <class Damping>
+inline constexpr bool is_plain_damping = true;
 template <class T>
-struct NormalOf<NormalForm::elastic, T> {
-  using type = PohrtPopov<T>;
-};
-template <class T>
-struct NormalOf<NormalForm::plastic, T> {
-  using type = PohrtPopovElastoPlastic<T>;
-};
-template <class T>
-struct NormalOf<NormalForm::incremental, T> {
-  using type = PohrtPopovIncremental<T>;
-};
+inline constexpr bool is_plain_damping<Dashpots<T, Tension::clipped>> = false;
 
-/// Chosen slot by slot: the normal law is given, the others follow from the composition.
-template <NormalForm form>
-class Maker {
-  template <class T>
-  using Normal = typename NormalOf<form, T>::type;
-  template <class T>
-  using Stiffness = std::conditional_t<form == NormalForm::hertz, Mindlin<T>, ConstantRatio<T>>;
+template <class Law, class Geometry>
+std::unique_ptr<Run> scalar_run(const Law& law, const PairProperties<double>& pair, bool wet, const Trajectories& t) {
+  using T = typename Law::Scalar;
+  Kernel<T, Geometry> kernel{std::make_shared<const Law>(law), Law::state_size, first_state<Law>(wet),
+                             advance_one_by_one<Law, Geometry>, stored_energy<Law>};
+  return std::make_unique<ScalarRun<T, Geometry>>(std::move(kernel), pair, t);
+}
 
- public:
-  Maker(const Composition& composition, const Parameters& parameters, const Scene& scene)
-      : c_(composition), p_(parameters), scene_(scene) {}
-
-  std::unique_ptr<Run> make() const {
-    switch (c_.precision) {
-      case Precision::in_double:
-        return with_damping<double, double>();
-      case Precision::law_in_float:
-        return with_damping<float, double>();
-      case Precision::in_float:
-        return with_damping<float, float>();
-    }
-    return nullptr;
+template <class Law>
+std::unique_ptr<Run> run_of(const Law& law, const Composition& c, const PairProperties<double>& pair,
+                            const Trajectories& t) {
+  const bool wet = c.law.bridge.is("wet");
+  const auto in_float = [&law] { return law.template cast<float>(); };
+  if constexpr (is_plain_shear<decltype(Law::shear)> && is_plain_damping<decltype(Law::damping)>) {
+    using InFloat = decltype(in_float());
+    if (c.loop == Loop::batch && c.precision == Precision::in_double)
+      return std::make_unique<BatchRun<Law>>(law, pair, wet, t);
+    if (c.loop == Loop::batch && c.precision == Precision::in_float)
+      return std::make_unique<BatchRun<InFloat>>(in_float(), pair, wet, t);
+    if (c.precision == Precision::in_float) return scalar_run<InFloat, float>(in_float(), pair, wet, t);
   }
-
- private:
-  template <class T, class Geometry>
-  std::unique_ptr<Run> with_damping() const {
-    switch (c_.damping) {
-      case Damping::none:
-        return with_carrying<T, Geometry, NoDashpots<T>>();
-      case Damping::allowed:
-        return with_carrying<T, Geometry, Dashpots<T>>();
-      case Damping::clipped:
-        return with_carrying<T, Geometry, Dashpots<T, Tension::clipped>>();
-    }
-    return nullptr;
-  }
-  template <class T, class Geometry, class Damper>
-  std::unique_ptr<Run> with_carrying() const {
-    if (c_.history == History::none) return with_bridge<T, Geometry, Damper, Frictionless<T>>();
-    switch (c_.carrying) {
-      case Carrying::project:
-        return with_history<T, Geometry, Damper, rotation::Project<T>>();
-      case Carrying::project_restore:
-        return with_history<T, Geometry, Damper, rotation::ProjectRestore<T>>();
-      case Carrying::rotate:
-        return with_history<T, Geometry, Damper, rotation::Rotate<T>>();
-    }
-    return nullptr;
-  }
-  template <class T, class Geometry, class Damper, class Carry>
-  std::unique_ptr<Run> with_history() const {
-    using K = Stiffness<T>;
-    switch (c_.history) {
-      case History::none:
-        break;
-      case History::force:
-        return with_bridge<T, Geometry, Damper, ShearForce<T, K, Carry>>();
-      case History::force_rescaled:
-        return with_bridge<T, Geometry, Damper, ShearForceRescaled<T, K, Carry>>();
-      case History::displacement:
-        return with_bridge<T, Geometry, Damper, ShearDisplacement<T, K, Carry>>();
-      case History::displacement_rescaled:
-        return with_bridge<T, Geometry, Damper, ShearDisplacementRescaled<T, K, Carry>>();
-    }
-    return nullptr;
-  }
-  template <class T, class Geometry, class Damper, class Shear>
-  std::unique_ptr<Run> with_bridge() const {
-    if (c_.bridge) return on_path<Geometry, ContactLaw<Normal<T>, Damper, Shear, SuctionBridge<T>>>();
-    return on_path<Geometry, ContactLaw<Normal<T>, Damper, Shear>>();
-  }
-  template <class Geometry, class Law>
-  std::unique_ptr<Run> on_path() const {
-    using T = typename Law::Scalar;
-    using Shear = decltype(Law::shear);
-    constexpr bool in_one_type = std::is_same_v<T, Geometry>;
-    constexpr bool plain_damping = !std::is_same_v<decltype(Law::damping), Dashpots<T, Tension::clipped>>;
-    constexpr bool plain_shear = !Shear::acts || std::is_same_v<Shear, ShearForce<T, Stiffness<T>>>;
-    constexpr bool plain = in_one_type && plain_damping && plain_shear;
-    if (c_.path == Path::batch) {
-      if constexpr (plain) return std::make_unique<BatchRun<Law>>(law<Law>(), p_, scene_);
-    } else if constexpr (plain || std::is_same_v<Geometry, double>) {
-      return std::make_unique<ScalarRun<T, Geometry>>(
-          Kernel<T, Geometry>{std::make_shared<const Law>(law<Law>()), Law::state_size, first_state<Law>(p_.starts_wet),
-                              advance_one_by_one<Law, Geometry>, detail::stored_energy<Law>},
-          p_, scene_);
-    }
-    return nullptr;
-  }
-
-  template <class Law>
-  Law law() const {
-    return law_of<typename Law::template Rebind<double>>(p_).template cast<typename Law::Scalar>();
-  }
-
-  const Composition& c_;
-  const Parameters& p_;
-  const Scene& scene_;
-};
+  if (c.loop == Loop::batch || c.precision == Precision::in_float) return nullptr;
+  if (c.precision == Precision::law_in_float) return scalar_run<decltype(in_float()), double>(in_float(), pair, wet, t);
+  return scalar_run<Law, double>(law, pair, wet, t);
+}
 
 }  // namespace detail
 
-/// Instantiated in runs_*.cpp, a form each.
-template <NormalForm form>
-std::unique_ptr<Run> make_run_of(const Composition& composition, const Parameters& parameters, const Scene& scene) {
-  return detail::Maker<form>(composition, parameters, scene).make();
+/// With the normal law `normal_laws()[index]`. Null for what is not offered.
+template <std::size_t index>
+std::unique_ptr<Run> make_run_of(const Composition& c, const Trajectories& t) {
+  using namespace contact_path;
+  const PairProperties<double> pair = pair_of<double>(c.law);
+  const auto given = [&](const Chosen& chosen) { return Given<double>{chosen, pair, c.law}; };
+  return std::get<index>(normal_laws()).build(given(c.law.normal), [&](const auto& normal) {
+    return with_law(damping_laws(), given(c.law.damping), [&](const auto& damping) {
+      return with_law(shear_laws(), given(c.law.shear), [&](const auto& shear) {
+        return with_law(bridge_laws(), given(c.law.bridge), [&](const auto& bridge) -> std::unique_ptr<Run> {
+          using Normal = std::decay_t<decltype(normal)>;
+          using Damping = std::decay_t<decltype(damping)>;
+          using Shear = std::decay_t<decltype(shear)>;
+          using Bridge = std::decay_t<decltype(bridge)>;
+          if constexpr (detail::is_measured<Normal> && detail::is_measured<Damping> && detail::is_measured<Shear> &&
+                        contactlaws::detail::stiffness_fits<Normal, Shear>) {
+            using Law = contactlaws::ContactLaw<Normal, Damping, Shear, Bridge>;
+            return detail::run_of(Law{normal, damping, shear, bridge, {}}, c, pair, t);
+          } else {
+            return nullptr;
+          }
+        });
+      });
+    });
+  });
 }
 
 }  // namespace trade

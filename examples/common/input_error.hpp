@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -33,6 +34,11 @@ struct InputError : std::runtime_error {
 
 [[noreturn]] inline void fail(const Place& place, const std::string& message) {
   throw InputError(to_string(place) + ": " + message);
+}
+
+/// A remark for the user on the standard error stream; the program goes on.
+inline void note(const Place& place, const std::string& message) {
+  std::fputs((to_string(place) + ": note: " + message + '\n').c_str(), stderr);
 }
 
 /// A piece of a file, fit to stand in a message: in quotes, short, printable.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Drives one contact along an imposed motion, and writes what its law answers: a row a step.
+// Drives one contact along an imposed motion and writes the results of its law: a row a step.
 #pragma once
 
+#include <chrono>
+#include <cmath>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include "build_law.hpp"
+#include "any_law.hpp"
 #include "common/progress.hpp"
 #include "contactlaws/energy.hpp"
 #include "path_file.hpp"
@@ -15,79 +18,51 @@ namespace contact_path {
 
 namespace detail {
 
-using contactlaws::ContactKinematics;
-using contactlaws::Vec3;
-
-template <class Law>
+template <class T>
 class Drive {
  public:
-  using T = typename Law::Scalar;
-
-  Drive(const Law& law, const PairProperties<T>& pair, bool starts_wet, std::ostream& out)
-      : law_(law), pair_(pair), names_(names_of(law)), out_(out) {
-    if constexpr (acts)
-      if (starts_wet) Law::make_wet(state_, T(0), T(0));
+  Drive(const AnyLaw<T>& law, const PairProperties<T>& pair, std::ostream& out)
+      : law_(law), pair_(pair), state_(law.first_state()), out_(out) {
     out_.precision(17);
-    out_ << "step,fx,fy,fz,fn_elastic,fn_total,slip,active,stored_energy,dissipated_energy";
-    for (const StateValue& value : names_)
-      if (is_used(value)) out_ << ',' << value.name;
+    out_ << "step,fx,fy,fz,mx,my,mz,fn_elastic,fn_total,slip,active,stored_energy,dissipated_energy";
+    for (const StateValue& value : law_.state_values()) out_ << ',' << value.name;
     out_ << '\n';
   }
 
-  void step(const PathStep<T>& now, const Place& place) {
-    if (now.moisture_gap) wet(now, place);
-    if (steps_ == 0 || now.moisture_gap) open_books(now.kinematics);
-    const auto answer = law_.step(pair_, now.kinematics, state_);
-    ledger_.enter(law_, pair_, now.kinematics, answer);
-    state_ = answer.state;
+  /// Whether the contact is active after the step.
+  bool step(const PathStep<T>& now, const Place& place) {
+    if (now.moisture_gap && !law_.make_wet(state_, now.kinematics.overlap, *now.moisture_gap))
+      fail(place, "column make_wet has a value, but the law has no bridge");
+    if (steps_ == 0 || now.moisture_gap) open_ledger(now.kinematics);
+    const auto result = law_.step(pair_, now.kinematics, state_);
+    ledger_.enter(law_, pair_, now.kinematics, result);
+    state_ = result.state;
     ++steps_;
-    check(answer.force, place);
+    check(result.force, place);
 
-    const T total = answer.normal_force - answer.bridge_force;
-    out_ << steps_ << ',' << answer.force.x() << ',' << answer.force.y() << ',' << answer.force.z() << ','
-         << answer.normal_elastic << ',' << total << ',' << answer.sliding << ',' << answer.active << ','
+    const T total = result.normal_force - result.bridge_force;
+    out_ << steps_;
+    for (const Vec3<T>& vector : {result.force, result.couple})
+      out_ << ',' << vector.x() << ',' << vector.y() << ',' << vector.z();
+    out_ << ',' << result.normal_elastic << ',' << total << ',' << result.sliding << ',' << result.active << ','
          << ledger_.stored << ',' << ledger_.dissipated();
-    std::array<T, Law::state_size> values;
-    Law::store(state_, values.data());
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (is_used(names_[i])) out_ << ',' << values[i];
+    for (const T& value : state_) out_ << ',' << value;
     out_ << '\n';
+    return result.active;
   }
 
  private:
-  static constexpr bool acts = decltype(Law::bridge)::acts;
-
-  static bool is_used(const StateValue& value) { return *value.name != '\0'; }
-
-  static std::array<StateValue, Law::state_size> names_of(const Law& law) {
-    const auto with_bridge = [](const auto& first) {
-      return contactlaws::concatenate(first, decltype(Law::bridge)::state_values());
-    };
-    if constexpr (decltype(Law::shear)::acts) {
-      return with_bridge(contactlaws::concatenate(law.normal.names(), law.shear.names()));
-    } else {
-      return with_bridge(law.normal.names());
-    }
-  }
-
-  void wet([[maybe_unused]] const PathStep<T>& now, [[maybe_unused]] const Place& place) {
-    if constexpr (acts) {
-      Law::make_wet(state_, now.kinematics.overlap, *now.moisture_gap);
-    } else {
-      fail(place, "column make_wet has a value, but the law has no bridge");
-    }
-  }
-
-  /// Starts the account of energy where this step's motion starts: what the springs and the bridge hold there has been put
-  /// in before, by those who pressed the contact or wetted it.
-  void open_books(const ContactKinematics<T>& now) {
+  /// Starts the energy ledger where this step's motion starts. What the springs and the bridge store there was done before
+  /// the path, or by wetting.
+  void open_ledger(const ContactKinematics<T>& now) {
     const T overlap = now.overlap + contactlaws::dot<T>(now.velocity, now.normal) * now.dt;
-    const ContactKinematics<T> at_rest{now.normal, overlap, Vec3<T>(T(0), T(0), T(0)), T(0)};
-    const auto answer = law_.step(pair_, at_rest, state_);
-    const T stored = law_.stored_energy(pair_, overlap, answer.state);
+    const Vec3<T> zero(T(0), T(0), T(0));
+    const auto result = law_.step(pair_, {now.normal, overlap, zero, T(0)}, state_);
+    const T stored = law_.stored_energy(pair_, overlap, result.state);
     ledger_.stored_at_start = ledger_.stored_at_start + (stored - ledger_.stored);
     ledger_.stored = stored;
-    ledger_.last_force = answer.force;
+    ledger_.last_force = result.force;
+    ledger_.last_couple = result.couple;
   }
 
   void check(const Vec3<T>& force, const Place& place) const {
@@ -97,33 +72,56 @@ class Drive {
     if (!finite) fail(place, "the force or the energy is out of the range of this precision");
   }
 
-  const Law law_;
+  const AnyLaw<T> law_;
   const PairProperties<T> pair_;
-  const std::array<StateValue, Law::state_size> names_;
-  std::ostream& out_;
-  typename Law::State state_{};
+  std::vector<T> state_;
   contactlaws::EnergyLedger<T> ledger_;
+  std::ostream& out_;
   std::size_t steps_ = 0;
 };
+
+/// Notes on a motion that is probably not what its author means.
+template <class T>
+void note_doubts(const std::vector<PathStep<T>>& path, const PairProperties<T>& pair, const std::string& file) {
+  const T& radius = pair.min_radius > T(0) ? pair.min_radius : pair.effective_radius;  // NaN where it is not given
+  T agreement(0), scale(0);
+  const PathStep<T>* beyond = nullptr;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const ContactKinematics<T>& now = path[i].kinematics;
+    if (beyond == nullptr && now.overlap > radius) beyond = &path[i];
+    if (i == 0) continue;
+    const T by_overlap = now.overlap - path[i - 1].kinematics.overlap;
+    const T by_velocity = -contactlaws::dot<T>(now.velocity, now.normal) * now.dt;
+    const T product = by_overlap * by_velocity;
+    agreement = agreement + product;
+    scale = scale + (product < T(0) ? T(-product) : product);
+  }
+  if (scale > T(0) && agreement < -scale / T(2))
+    note({file},
+         "the overlap grows where the velocity separates the bodies (v.n > 0), and falls where it closes them: "
+         "overlap is > 0 in contact, n points from body 1 to body 2, v is v2 - v1");
+  if (beyond != nullptr) note({file, beyond->line}, "the overlap is larger than the smaller body's radius: metres?");
+}
 
 }  // namespace detail
 
 /// Ends early if a stop is requested. @throws InputError naming what is wrong in the file, the law or their combination
 template <class T>
-void drive(const LawDescription& description, const std::string& path_file, std::ostream& out) {
-  const LawSlots<T> slots = build_law<T>(description);
+void drive(const LawSpec& spec, const std::string& path_file, std::ostream& out) {
+  const PairProperties<T> pair = build_pair<T>(spec);
   const std::vector<PathStep<T>> path = read_path<T>(path_file);
-  std::visit(
-      [&](const auto& damping, const auto& shear, const auto& bridge) {
-        using Law = contactlaws::ContactLaw<AnyNormal<T>, std::decay_t<decltype(damping)>,
-                                            std::decay_t<decltype(shear)>, std::decay_t<decltype(bridge)>>;
-        detail::Drive<Law> contact({slots.normal, damping, shear, bridge}, slots.pair, slots.starts_wet, out);
-        for (const PathStep<T>& step : path) {
-          if (stop_requested()) return;
-          contact.step(step, {path_file, step.line});
-        }
-      },
-      slots.damping, slots.shear, slots.bridge);
+  detail::Drive<T> contact(build_law<T>(spec, pair), pair, out);
+  detail::note_doubts(path, pair, path_file);
+  const auto start = std::chrono::steady_clock::now();
+  std::optional<Progress> progress;  // of runs longer than a second
+  bool acted = false;
+  for (std::size_t i = 0; i < path.size() && !stop_requested(); ++i) {
+    acted = contact.step(path[i], {path_file, path[i].line}) || acted;
+    if (!progress && std::chrono::steady_clock::now() - start > std::chrono::seconds(1))
+      progress.emplace("contact_path");
+    if (progress) progress->at(double(i) / double(path.size()));
+  }
+  if (!acted) note({path_file}, "the contact is open in every step: overlap is > 0 in contact, < 0 across a gap");
 }
 
 }  // namespace contact_path

@@ -2,4 +2,4 @@
 #include "contactlaws/scalars/multiprecision.hpp"
 #include "drive.hpp"
 
-template void contact_path::drive<contactlaws::Binary200>(const LawDescription&, const std::string&, std::ostream&);
+template void contact_path::drive<contactlaws::Binary200>(const LawSpec&, const std::string&, std::ostream&);

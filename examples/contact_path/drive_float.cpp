@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
 #include "drive.hpp"
 
-template void contact_path::drive<float>(const LawDescription&, const std::string&, std::ostream&);
+template void contact_path::drive<float>(const LawSpec&, const std::string&, std::ostream&);

@@ -8,9 +8,9 @@
 //   friction = 0.4
 //
 //   [pair]                       effective values, or [pair.body1] and [pair.body2]
-//   radius = 3e-3
+//   effective_radius = 3e-3
 //
-// catalogue.hpp has the names and keys. Slots but `normal` may be left out: none.
+// law_spec.hpp has the names and keys. Every slot but `normal` may be left out.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,7 @@
 
 #include <toml++/toml.h>
 
-#include "catalogue.hpp"
-#include "law_description.hpp"
+#include "law_spec.hpp"
 
 namespace contact_path {
 
@@ -30,19 +29,24 @@ namespace detail {
 
 class LawFile {
  public:
-  explicit LawFile(const std::string& file) : file_(file), text_(read_text(file)) {}
+  LawFile(std::string file, std::string text) : file_(std::move(file)), text_(std::move(text)) {}
 
-  LawDescription read() const {
+  LawSpec read() const {
     const toml::table root = parse();
     for (const auto& [key, node] : root)
-      if (!one_of(key.str(), {"normal", "damping", "shear", "bridge", "pair"}))
-        fail(at(key.source()),
-             "no such key: " + in_quotes(std::string(key.str())) + "; there are normal, damping, shear, bridge, pair");
-    LawDescription law{slot(root, "normal", normal_choices()), slot(root, "damping", damping_choices()),
-                       slot(root, "shear", shear_choices()),   slot(root, "bridge", bridge_choices()),
-                       {{file_}, "[pair]", {}, {}, {}, {}},    {}};
+      if (!one_of(key.str(), {"normal", "damping", "shear", "bridge", "rolling", "pair"}))
+        fail(at(key.source()), "no such key: " + in_quotes(std::string(key.str())) +
+                                   "; there are normal, damping, shear, bridge, rolling, pair");
+    LawSpec law{slot(root, "normal", keys_of(normal_laws())),
+                slot(root, "damping", keys_of(damping_laws())),
+                slot(root, "shear", keys_of(shear_laws())),
+                slot(root, "bridge", keys_of(bridge_laws())),
+                slot(root, "rolling", keys_of(rolling_laws())),
+                {{file_}, "[pair]", {}, {}, {}, {}},
+                {}};
     read_pair(root, law);
-    check_composition(law);
+    check(law);
+    if (law.shear.acts()) note_angle(law.shear);
     return law;
   }
 
@@ -61,29 +65,28 @@ class LawFile {
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
-  Description slot(const toml::table& root, const std::string& name, const std::vector<Choice>& choices) const {
-    std::vector<std::string> laws;
-    for (const Choice& choice : choices) laws.push_back(choice.name);
-    const std::string one_of_them = "must be one of " + listed(laws);
+  Chosen slot(const toml::table& root, const std::string& name, const std::vector<KeyTable>& laws) const {
+    std::vector<std::string> names;
+    for (const KeyTable& keys : laws) names.push_back(keys.name);
+    const std::string one_of_them = "must be one of " + listed(names);
 
     const toml::node* node = root.get(name);
     if (node == nullptr) {
-      if (!one_of(choices.front().name, {"none"})) fail({file_}, name + " is missing, " + one_of_them);
-      return {{file_}, '[' + name + ']', choices.front().name, {}, {}, {}};
+      if (names.front() != "none") fail({file_}, name + " is missing, " + one_of_them);
+      return {{file_}, '[' + name + ']', "none", {}, {}, {}};
     }
     const toml::table* table = node->as_table();
     const toml::node* law = table != nullptr ? table->get("law") : node;
     if (law == nullptr) fail(at(node->source()), '[' + name + "] law is missing, " + one_of_them);
     const std::string* law_name = law->is_string() ? &law->as_string()->get() : nullptr;
-    const auto choice = std::find_if(choices.begin(), choices.end(),
-                                     [&](const Choice& c) { return law_name != nullptr && c.name == *law_name; });
-    if (choice == choices.end())
-      fail(at(law->source()), '[' + name + "] law is " + source_of(*law) + ", " + one_of_them);
+    const auto keys = std::find_if(laws.begin(), laws.end(),
+                                   [&](const KeyTable& k) { return law_name != nullptr && k.name == *law_name; });
+    if (keys == laws.end()) fail(at(law->source()), '[' + name + "] law is " + source_of(*law) + ", " + one_of_them);
     static const toml::table no_keys;
-    return group(table != nullptr ? *table : no_keys, at(node->source()), '[' + name + ']', *choice, {"law"});
+    return group(table != nullptr ? *table : no_keys, at(node->source()), '[' + name + ']', *keys, {"law"});
   }
 
-  void read_pair(const toml::table& root, LawDescription& law) const {
+  void read_pair(const toml::table& root, LawSpec& law) const {
     const toml::node* node = root.get("pair");
     if (node == nullptr) return;
     const toml::table* table = node->as_table();
@@ -106,10 +109,10 @@ class LawFile {
     }
   }
 
-  /// The keys of a group, checked one by one.
-  Description group(const toml::table& table, const Place& place, const std::string& title, const Choice& choice,
-                    const std::vector<std::string>& known_already) const {
-    Description result{place, title, choice.name, {}, {}, {}};
+  /// The keys of a table, checked one by one.
+  Chosen group(const toml::table& table, const Place& place, const std::string& title, const KeyTable& keys,
+               const std::vector<std::string>& known_already) const {
+    Chosen result{place, title, keys.name, {}, {}, {}};
     std::vector<std::string> unread;
     for (const auto& [key, value] : table)
       if (!one_of(key.str(), known_already)) unread.emplace_back(key.str());
@@ -118,38 +121,40 @@ class LawFile {
       return table.get(name);
     };
     std::vector<std::string> names, either;
-    for (const NumberKey& key : choice.numbers) {
+    for (const NumberKey& key : keys.numbers) {
       if (const toml::node* node = take(key.name)) result.numbers[key.name] = number(*node, title, key);
       names.push_back(key.name);
       if (key.presence == Presence::either) either.push_back(key.name);
     }
-    for (const WordKey& key : choice.words) {
+    for (const WordKey& key : keys.words) {
       const toml::node* node = take(key.name);
       result.words[key.name] = node == nullptr ? key.words.front() : word(*node, title, key);
       names.push_back(key.name);
     }
-    for (const FlagKey& key : choice.flags) {
+    for (const FlagKey& key : keys.flags) {
       if (const toml::node* node = take(key.name); node != nullptr && flag(*node, title, key))
         result.flags.insert(key.name);
       names.push_back(key.name);
     }
     if (!unread.empty()) {
-      const toml::node* node = table.get(unread.front());
-      fail(at(node->source()), title + ' ' + choice.name + " has no key " + in_quotes(unread.front()) + "; it has " +
-                                   (names.empty() ? "none" : listed(names)));
+      const bool angle = unread.front().find("angle") != std::string::npos && one_of("friction", names);
+      fail(at(table.get(unread.front())->source()),
+           title + ' ' + keys.name + " has no key " + in_quotes(unread.front()) + "; it has " +
+               (names.empty() ? "none" : listed(names)) +
+               (angle ? "; friction is a coefficient, the tangent of the angle" : ""));
     }
-    for (const NumberKey& key : choice.numbers)
+    for (const NumberKey& key : keys.numbers)
       if (key.presence == Presence::required && !result.has(key.name)) missing(result, key);
     const auto given = std::count_if(either.begin(), either.end(), [&](const auto& name) { return result.has(name); });
     if (!either.empty() && given != 1)
-      fail(place, title + ' ' + choice.name + " must have one of " + listed(either) + ", and has " +
+      fail(place, title + ' ' + keys.name + " must have one of " + listed(either) + ", and has " +
                       (given == 0 ? "none" : "more"));
     return result;
   }
 
-  [[noreturn]] static void missing(const Description& group, const NumberKey& key) {
-    fail(group.place, group.title + ' ' + key.name + " is missing, must be a number in " +
-                          contactlaws::to_string(key.range) + (key.unit == "1" ? "" : ' ' + key.unit));
+  [[noreturn]] static void missing(const Chosen& group, const NumberKey& key) {
+    group.refuse(key.name, "is missing, must be a number in " + contactlaws::to_string(key.range) +
+                               (key.unit == "1" ? "" : ' ' + key.unit));
   }
 
   Number number(const toml::node& node, const std::string& title, const NumberKey& key) const {
@@ -202,13 +207,20 @@ class LawFile {
     return text_.substr(begin, end - begin);
   }
 
+  static void note_angle(const Chosen& shear) {
+    const Number& friction = shear.numbers.at("friction");
+    const double value = shear.number<double>("friction");
+    if (value > 10.0 && value < 90.0)
+      note(friction.place, "[shear] friction is " + friction.text + ": a coefficient, the tangent of an angle");
+  }
+
   /// A body is a sphere or a wall, and has what makes it one.
-  static void check_body(const Description& body) {
+  static void check_body(const Chosen& body) {
     const auto must_have = [&](const char* key) {
-      if (!body.has(key)) fail(body.place, body.title + ' ' + key + " is missing");
+      if (!body.has(key)) body.refuse(key, "is missing");
     };
-    const auto cannot_have = [&](const char* key, const char* why) {
-      if (body.has(key)) fail(body.numbers.at(key).place, body.title + ' ' + key + " is given, but " + why);
+    const auto cannot_have = [&](const char* key, const std::string& why) {
+      if (body.has(key)) body.refuse(key, "is given, but " + why);
     };
     if (body.is("plane")) {
       for (const char* key : {"radius", "density", "mass"}) cannot_have(key, "a plane has none");
@@ -222,51 +234,17 @@ class LawFile {
     must_have("poisson");
   }
 
-  /// What no single slot can see.
-  static void check_composition(const LawDescription& law) {
-    if (law.damping.has("restitution") && law.normal.law != "hertz" && law.normal.law != "linear")
-      fail(law.damping.numbers.at("restitution").place,
-           "[damping] restitution is given, but beside " + law.normal.law +
-               " it depends on the speed of impact: give damping_constant");
-    if (law.is_mindlin() && law.shear.has("ratio"))
-      fail(law.shear.numbers.at("ratio").place, "[shear] ratio is given, but beside hertz the law " + law.shear.law +
-                                                    " takes Mindlin's stiffness: use law = \"constant_ratio\"");
-    if (!law.bodies.empty()) return;
-
-    const auto needs = [&law](const std::string& key, const std::string& why) {
-      if (law.pair.has(key)) return;
-      for (const NumberKey& number : effective_pair().numbers)
-        if (number.name == key)
-          fail(law.pair.place, "[pair] " + key + " is missing, must be a number in " +
-                                   contactlaws::to_string(number.range) + ' ' + number.unit + ": " + why +
-                                   " asks for it");
-    };
-    const auto needs_all = [&](const Description& slot, const std::vector<Choice>& choices) {
-      for (const Choice& choice : choices)
-        if (choice.name == slot.law)
-          for (const std::string& key : choice.of_pair) needs(key, slot.title + ' ' + slot.law);
-    };
-    needs_all(law.normal, normal_choices());
-    needs_all(law.damping, damping_choices());
-    needs_all(law.bridge, bridge_choices());
-    if (law.normal.has("modulus")) {
-      needs("min_radius", "[normal] modulus");
-      needs("length", "[normal] modulus");
-    }
-    if (law.is_mindlin()) needs("shear", "Mindlin's stiffness");
-    if (!law.is_mindlin() && law.shear.law != "none" && !law.shear.has("ratio")) {
-      needs("young", "[shear] without a ratio");
-      needs("shear", "[shear] without a ratio");
-    }
-  }
-
   std::string file_;
   std::string text_;
 };
 
 }  // namespace detail
 
+/// The law in a text; messages call it `file`. @throws InputError naming file, line, key, value and range
+inline LawSpec parse_law(const std::string& text, const std::string& file) {
+  return detail::LawFile(file, text).read();
+}
 /// @throws InputError naming file, line, key, value and range
-inline LawDescription read_law(const std::string& file) { return detail::LawFile(file).read(); }
+inline LawSpec read_law(const std::string& file) { return parse_law(read_text(file), file); }
 
 }  // namespace contact_path

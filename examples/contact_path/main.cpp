@@ -4,8 +4,8 @@
 //   contact_path LAW.toml PATH.csv [-o OUT.csv] [--precision double|float|long|200]
 //   contact_path --list
 //
-// Ends with 0; with 2 on a fault in its input, which it names; with 130 after Ctrl-C. After a fault or Ctrl-C there is no
-// output.
+// Exit status: 0; 2 for a fault in its input, which it names; 130 after Ctrl-C. With 2 and 130 there is no output. Notes on
+// input that is allowed but probably not meant go to the standard error.
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -20,13 +20,13 @@
 
 namespace contact_path {
 
-/// Compiled apart, a precision a unit: drive_double.cpp and its kind.
+/// Each precision is compiled on its own: drive_double.cpp, drive_float.cpp, drive_long.cpp, drive_200.cpp.
 template <class T>
-void drive(const LawDescription& law, const std::string& path_file, std::ostream& out);
+void drive(const LawSpec& law, const std::string& path_file, std::ostream& out);
 
 namespace {
 
-using Driver = void (*)(const LawDescription&, const std::string&, std::ostream&);
+using Driver = void (*)(const LawSpec&, const std::string&, std::ostream&);
 const std::map<std::string, Driver> drivers{{"double", drive<double>},
                                             {"float", drive<float>},
                                             {"long", drive<long double>},
@@ -40,7 +40,7 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
-  const LawDescription law = read_law(arguments.law);
+  const LawSpec law = read_law(arguments.law);
   const Driver drive_law = drivers.at(arguments.precision);
   const InterruptGuard guard;
   if (arguments.out.empty()) {

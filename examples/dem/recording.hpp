@@ -56,7 +56,7 @@ class Recording {
   int steps_ = 0;
   std::size_t next_number_ = 0;
   std::map<Pair, Going> before_, now_;
-  common::Table rows_{"contact", "dt", "overlap", "nx", "ny", "nz", "vx", "vy", "vz", "spin"};
+  common::Table rows_{"contact", "dt", "overlap", "nx", "ny", "nz", "vx", "vy", "vz", "normal_spin"};
 };
 
 }  // namespace dem

@@ -20,7 +20,7 @@ void read(const std::string& file) {
 extern "C" int LLVMFuzzerInitialize(int*, char***) { return 0; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz::expect_read_or_refused<contact_path::InputError>(data, size, read<double>);
-  fuzz::expect_read_or_refused<contact_path::InputError>(data, size, read<float>);
+  fuzz::expect_read_or_refused<common::InputError>(data, size, read<double>);
+  fuzz::expect_read_or_refused<common::InputError>(data, size, read<float>);
   return 0;
 }

@@ -5,15 +5,16 @@
 extern "C" int LLVMFuzzerInitialize(int*, char***) { return 0; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz::expect_read_or_refused<contact_path::InputError>(data, size, [](const std::string& file) {
-    const trade::Scene scene = trade::read_recording(file);
-    std::size_t before = 0, most = scene.in_double.size();
-    for (const std::size_t end : scene.offset) {
+  fuzz::expect_read_or_refused<common::InputError>(data, size, [](const std::string& file) {
+    const trade::Trajectories trajectories = trade::read_recording(file);
+    std::size_t before = 0, most = trajectories.in_double.size();
+    for (const std::size_t end : trajectories.offset) {
       if (end < before || end - before > most) std::abort();
       most = end - before;
       before = end;
     }
-    if (before != scene.in_double.size() || scene.exact.size() != scene.in_double.size()) std::abort();
+    if (before != trajectories.in_double.size() || trajectories.exact.size() != trajectories.in_double.size())
+      std::abort();
   });
   return 0;
 }

@@ -221,7 +221,7 @@ TEST_CASE("PATH.csv: what is written is read again, bit by bit, and only that") 
     CHECK(again[i].velocity == path[i].velocity);
     CHECK(again[i].normal_spin == path[i].normal_spin);
   }
-  std::istringstream other("x,y\n1,2\n"), broken("dt,overlap,nx,ny,nz,vx,vy,vz,spin\n1,2,3\n");
+  std::istringstream other("x,y\n1,2\n"), broken("dt,overlap,nx,ny,nz,vx,vy,vz,normal_spin\n1,2,3\n");
   CHECK_THROWS_WITH(verify::read_path(other), ContainsSubstring("x,y"));
   CHECK_THROWS_WITH(verify::read_path(broken), ContainsSubstring("1,2,3"));
 }

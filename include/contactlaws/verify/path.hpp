@@ -92,7 +92,7 @@ inline Bodies at_rest(Bodies bodies) {
 /// PATH.csv of examples/contact_path.
 inline void write_path(std::ostream& out, const Path& path) {
   const auto digits = out.precision(17);
-  out << "dt,overlap,nx,ny,nz,vx,vy,vz,spin\n";
+  out << "dt,overlap,nx,ny,nz,vx,vy,vz,normal_spin\n";
   for (const Motion& m : path) {
     out << m.dt << ',' << m.overlap;
     for (int i = 0; i < 3; ++i) out << ',' << m.normal[i];
@@ -106,7 +106,7 @@ inline void write_path(std::ostream& out, const Path& path) {
 inline Path read_path(std::istream& in) {
   Path path;
   std::string line;
-  if (!std::getline(in, line) || line != "dt,overlap,nx,ny,nz,vx,vy,vz,spin")
+  if (!std::getline(in, line) || line != "dt,overlap,nx,ny,nz,vx,vy,vz,normal_spin")
     throw std::runtime_error("not a path of contactlaws::verify: its first line is '" + line + "'");
   while (std::getline(in, line)) {
     std::istringstream cells(line);

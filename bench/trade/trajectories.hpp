@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Contacts that move as they are told: what every composition of a law is put through.
+// The imposed motion of many contacts, through which every composition of a law is driven.
 //
-// Rows are kept step by step, as a DEM code meets them: all contacts of the first step, then all of the second. Contacts may
-// end early; they are sorted so that those that still move come first, and a row is offset[step] + contact.
+// Rows are ordered by step, as a DEM code computes them: all contacts of the first step, then all of the second. Contacts may
+// end early. They are sorted by length, the longest first, so that row = offset[step] + contact.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +18,14 @@ using contactlaws::Binary200;
 using contactlaws::ContactKinematics;
 using contactlaws::Vec3;
 
-struct Scene {
+struct Trajectories {
   std::string name;
   std::vector<std::size_t> offset{0};                ///< first row of each step, and one past the last row
-  std::vector<ContactKinematics<double>> in_double;  ///< a row each
+  std::vector<ContactKinematics<double>> in_double;  ///< one per row
   std::vector<ContactKinematics<float>> in_float;    ///< from bodies kept in float; empty where bodies are unknown
   std::vector<ContactKinematics<Binary200>> exact;   ///< from the same bodies as in_double, or from its numbers
-  std::size_t cycle_start = 0;  ///< from this step to the end, motion is a closed cycle; 0: it is not
-  std::size_t multiple = 1;     ///< steps of the full motion that one step here spans
+  std::size_t cycle_start = 0;  ///< from this step to the end the motion is a closed cycle; 0: it has none
+  std::size_t multiple = 1;     ///< steps of the full motion in one step here
 
   std::size_t steps() const { return offset.size() - 1; }
   std::size_t contacts() const { return steps() > 0 ? offset[1] : 0; }

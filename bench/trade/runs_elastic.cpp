@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "runs.hpp"
-
-template std::unique_ptr<trade::Run> trade::make_run_of<trade::NormalForm::elastic>(const Composition&,
-                                                                                    const Parameters&, const Scene&);
