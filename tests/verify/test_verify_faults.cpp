@@ -103,7 +103,7 @@ const Case cases[] = {
 std::vector<verify::Interaction> replay(const HostLaw& law, const Path& path) {
   HostLaw::State state;
   std::vector<verify::Interaction> all;
-  for (const verify::Moment& m : verify::staged(path, options(law.hertz))) all.push_back(law(m.bodies, m.dt, state));
+  for (const verify::Instant& m : verify::trajectory(path, options(law.hertz))) all.push_back(law(m.bodies, m.dt, state));
   return all;
 }
 
@@ -195,7 +195,7 @@ TEST_CASE("Reduced paths show the fault when they are replayed") {
     const Path path = path_of(Fault::restart_loses, false, "restart");
     HostLaw::State state, restarted;
     Vector through(0, 0, 0), again(0, 0, 0);
-    for (const verify::Moment& m : verify::staged(path, options(false))) {
+    for (const verify::Instant& m : verify::trajectory(path, options(false))) {
       through = law(m.bodies, m.dt, state).force;
       restarted = law.load(law.store(restarted));
       again = law(m.bodies, m.dt, restarted).force;

@@ -26,6 +26,7 @@ struct Claims {
   bool passive_impacts = true;            ///< no impact of two spheres yields energy; true of every law of a solid
   bool no_ratcheting = false;             ///< repeated closed cycles end at the same force
   bool follows_twist = false;             ///< the shear turns with the pair's common spin about the normal
+  bool couple_turns = false;              ///< a rolling couple turns with the pair, as every shear force must
 };
 
 struct Options {

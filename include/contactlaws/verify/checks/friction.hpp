@@ -13,14 +13,11 @@ inline double friction_load(const Setup& setup, const Interaction& i, const Vect
   return positive_part<double>(dot<double>(i.force, normal) + i.bridge_force + setup.options.claims.adhesion);
 }
 
-/// A slide long enough for gross sliding: ten times 1 + mu the usual overlap, since a shear stiffness is rarely below a
-/// tenth of the normal one.
-inline double long_slide(const Setup& setup) {
-  const Claims& claims = setup.options.claims;
-  return 10 * (1 + claims.static_friction.value_or(claims.friction.value_or(0.0))) * setup.scales.overlap;
+/// Straight slides at a constant overlap in this number of steps, and longer by half than gross sliding needs: ten times
+/// 1 + mu the overlap, since a shear stiffness is rarely below a tenth of the normal one.
+inline double long_slide(const Claims& claims, double overlap) {
+  return 10 * (1 + claims.static_friction.value_or(claims.friction.value_or(0.0))) * overlap;
 }
-
-/// Straight slides at a constant overlap, half as long again as needed, in this number of steps.
 inline std::vector<Path> slides(const Setup& setup, const char* name, int steps) {
   Random random(setup.options.seed, name);
   std::vector<Path> all;
@@ -28,9 +25,9 @@ inline std::vector<Path> slides(const Setup& setup, const char* name, int steps)
     const Vector normal = random.direction();
     const Vector along = random.direction_across(normal);
     const double overlap = setup.scales.overlap * random.uniform(0.1, 1.0);
+    const Vector slip = along * (1.5 * long_slide(setup.options.claims, overlap) / steps);
     Path path{setup.move(normal, overlap)};
-    for (int i = 0; i < steps; ++i)
-      path.push_back(setup.move(normal, overlap, along * (1.5 * long_slide(setup) / steps)));
+    for (int i = 0; i < steps; ++i) path.push_back(setup.move(normal, overlap, slip));
     set_normal_velocities(path);
     all.push_back(path);
   }
@@ -40,7 +37,7 @@ inline std::vector<Path> slides(const Setup& setup, const char* name, int steps)
 inline bool is_long_slide(const Setup& setup, const Path& path) {
   Vector slipped(0, 0, 0);
   for (const Motion& m : path) slipped = slipped + tangential(m.velocity, m.normal) * m.dt;
-  return norm<double>(slipped) >= 0.99 * long_slide(setup);
+  return !path.empty() && norm<double>(slipped) >= 0.99 * long_slide(setup.options.claims, path.back().overlap);
 }
 
 }  // namespace detail
@@ -84,7 +81,7 @@ inline Result friction_reached(const Setup& setup) {
 inline Result static_friction_reached(const Setup& setup) {
   constexpr const char* name = "static friction reached";
   if (!setup.options.claims.static_friction) return not_claimed(name);
-  std::vector<Path> slides = detail::slides(setup, name, 500);
+  std::vector<Path> slides = detail::slides(setup, name, 1000);
   for (Path& path : slides) {
     for (Motion& m : path) {  // slowly: the dashpot counts within the limit
       m.dt *= 1e4;

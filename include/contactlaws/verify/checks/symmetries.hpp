@@ -148,7 +148,7 @@ inline Result change_of_owner(const Setup& setup) {
 
 namespace detail {
 
-/// Sheared and rolled, then turned as one rigid body: force and couple must turn with it. Only steps without slip, rolling
+/// Sheared and rolled, then turned as one rigid body: the force, and the couple if claimed, must turn with it. Only steps without slip, rolling
 /// and change of overlap are compared.
 inline Finding turned_as_one(const Setup& setup, const Path& path) {
   using std::fabs;
@@ -181,7 +181,7 @@ inline Finding turned_as_one(const Setup& setup, const Path& path) {
   const double floor = 1e-3 * norm<double>(force);
   Finding finding{error(found.head<3>() - force, norm<double>(tangential(force, normal)) + floor),
                   2 * squares + setup.scales.rounding * 1000};
-  finding.add(error(found.tail<3>() - couple, norm<double>(couple) + floor));
+  if (setup.options.claims.couple_turns) finding.add(error(found.tail<3>() - couple, norm<double>(couple) + floor));
   return finding;
 }
 
