@@ -18,7 +18,6 @@ struct Impact {
   double energy_before;  ///< kinetic [J]
   double energy_after;   ///< [J]
   double rebound;        ///< separation over approach, along the initial line of centres [1]
-  Path path;             ///< the motion at the contact
 };
 
 inline double kinetic_energy(const Bodies& bodies) {
@@ -28,8 +27,9 @@ inline double kinetic_energy(const Bodies& bodies) {
   return sum;
 }
 
-/// Touching spheres that approach at `speed` [m/s], inclined by `angle` [rad], in some `steps` steps.
-inline Impact collide(const Setup& setup, double speed, double angle, int steps) {
+/// Touching spheres that approach at `speed` [m/s], inclined by `angle` [rad], in some `steps` steps. `path`, if any, is the
+/// motion at the contact.
+inline Impact collide(const Setup& setup, double speed, double angle, int steps, Path* path = nullptr) {
   using std::cos;
   using std::sin;
   const Options& o = setup.options;
@@ -37,14 +37,15 @@ inline Impact collide(const Setup& setup, double speed, double angle, int steps)
   Bodies b{
       {none, none, none, o.radius1, o.mass1},
       {line * (o.radius1 + o.radius2), Vector(speed * sin(angle), 0, -speed * cos(angle)), none, o.radius2, o.mass2}};
-  Impact impact{kinetic_energy(b), 0.0, 0.0, {}};
+  Impact impact{kinetic_energy(b), 0.0, 0.0};
   const double dt = 3 * setup.scales.time / steps, open = -o.claims.range.value_or(0.0);
   ForceUpdate::State state = setup.update.start();
   for (int i = 0; i < 100 * steps; ++i) {  // spheres that stick together stop here
     for (Body* body : {&b.one, &b.two}) body->position = body->position + body->velocity * dt;
     const auto geometry = sphere_sphere<double>(b.one.position, o.radius1, b.two.position, o.radius2);
-    impact.path.push_back(contact_kinematics<double>(geometry, {b.one.position, b.one.velocity, b.one.spin},
-                                                     {b.two.position, b.two.velocity, b.two.spin}, dt));
+    if (path)
+      path->push_back(contact_kinematics<double>(geometry, {b.one.position, b.one.velocity, b.one.spin},
+                                                 {b.two.position, b.two.velocity, b.two.spin}, dt));
     const Interaction a = setup.update.step(b, dt, state);
     const auto kick = [dt](Body& body, const Vector& force, const Vector& torque) {
       body.velocity = body.velocity + force * (dt / body.mass);
@@ -57,7 +58,7 @@ inline Impact collide(const Setup& setup, double speed, double angle, int steps)
   }
   impact.energy_after = kinetic_energy(b);
   impact.rebound = dot<double>(Vector(b.two.velocity - b.one.velocity), line) / (speed * cos(angle));
-  set_normal_velocities(impact.path);
+  if (path) set_normal_velocities(*path);
   return impact;
 }
 
@@ -88,7 +89,8 @@ inline Result restitution_as_claimed(const Setup& setup) {
     const double error = off(steps);
     if (!result.worst.add(error) || !result.worst.failed()) continue;
     const int few = detail::fewest_steps(steps, [&](int n) { return off(n) > 0.9 * error && off(n) < 1.1 * error; });
-    result.path = detail::collide(setup, speed, 0.0, few).path;
+    result.path.clear();
+    detail::collide(setup, speed, 0.0, few, &result.path);
     result.verdict = Verdict::fail;
   }
   return result;
@@ -123,7 +125,7 @@ inline Result oblique_impacts(const Setup& setup) {
     text << " at " << worst_angle << " degrees and " << worst_speed << " m/s";
     const int few = detail::fewest_steps(
         steps, [&](int n) { return !(gain(worst_speed, worst_angle, n) < 0.5 * result.worst.error); });
-    result.path = detail::collide(setup, worst_speed, worst_angle * pi<double>() / 180, few).path;
+    detail::collide(setup, worst_speed, worst_angle * pi<double>() / 180, few, &result.path);
     // A gain of the force along the imposed motion can be reduced; a gain of a torque needs the bodies.
     const auto shows = [&](const Path& path) {
       return detail::gain_along(setup, path).error > result.worst.error / 10;
