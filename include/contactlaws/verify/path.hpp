@@ -93,6 +93,7 @@ using Trajectory = std::vector<Instant>;
 /// Bodies that move along the path, seen from body 1.
 inline Trajectory trajectory(const Path& path, const Options& options) {
   Trajectory all;
+  all.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Motion& m = path[i];
     const double r1 = options.radius1 - m.overlap / 2, r2 = options.radius2 - m.overlap / 2, d = r1 + r2;

@@ -45,6 +45,8 @@ struct Record {
 inline Record drive(const ForceUpdate& update, const Trajectory& trajectory) {
   Record record;
   record.state = update.start();
+  record.interactions.reserve(trajectory.size());
+  record.loads.reserve(trajectory.size());
   for (const Instant& instant : trajectory) {
     record.interactions.push_back(update.step(instant.bodies, instant.dt, record.state));
     record.loads.push_back(load_of(instant.bodies, record.interactions.back()));

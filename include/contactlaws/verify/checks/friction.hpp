@@ -64,7 +64,7 @@ inline Result friction_reached(const Setup& setup) {
   constexpr const char* name = "friction reached";
   if (!setup.options.claims.friction) return not_claimed(name);
   std::vector<Path> slides = detail::slides(setup, name, 2);
-  for (const Path& slow : detail::slides(setup, name, 500)) slides.push_back(slow);
+  for (const Path& slow : detail::slides(setup, name, 200)) slides.push_back(slow);
   return setup.worst_of(name, "of the friction claimed", slides, [&](const Path& path) {
     if (!detail::is_long_slide(setup, path)) return Finding{};
     const Motion& m = path.back();
@@ -81,7 +81,7 @@ inline Result friction_reached(const Setup& setup) {
 inline Result static_friction_reached(const Setup& setup) {
   constexpr const char* name = "static friction reached";
   if (!setup.options.claims.static_friction) return not_claimed(name);
-  std::vector<Path> slides = detail::slides(setup, name, 1000);
+  std::vector<Path> slides = detail::slides(setup, name, 500);
   for (Path& path : slides) {
     for (Motion& m : path) {  // slowly: the dashpot counts within the limit
       m.dt *= 1e4;

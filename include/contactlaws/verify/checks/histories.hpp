@@ -91,35 +91,33 @@ inline Path smooth_path(const Scales& scales, double amplitude, int steps) {
 }  // namespace detail
 
 /// The loads along a smooth motion, at 16 times: the median change that halving the step makes in them must fall to a quarter
-/// at least (order 1/2), from the largest at 128 to 512 steps to that at 2048, or be below 1e-5, where the steps in which slip
+/// at least (order 1/2), from the largest at 64 to 256 steps to that at 1024, or be below 1e-5, where the steps in which slip
 /// begins decide. Median and largest, since a law with static friction jumps where slip begins.
-/// `measure` gives the lowest order seen, from 128 steps on. A failure's path is the motion, in 16 steps.
+/// `measure` gives the lowest order seen, from 64 steps on. A failure's path is the motion, in 16 steps.
 inline Result convergence(const Setup& setup) {
-  constexpr int times = 16, coarse = 128, fine = 16 * coarse;
+  constexpr std::size_t times = 16;
   Result result{"step-size convergence"};
   result.worst.allowed = 0.25;
   double lowest = std::numeric_limits<double>::infinity();
   for (const double amplitude : {0.003, 0.03, 0.3}) {
-    const auto loads = [&](int steps) {
+    std::vector<double> changes;
+    std::vector<Load> before;
+    for (int steps = 64; steps <= 2048; steps *= 2) {
       const Record record = setup.drive_along(detail::smooth_path(setup.scales, amplitude, steps));
-      std::vector<Load> sampled;
-      for (int i = 1; i <= times; ++i)
-        sampled.push_back(record.loads[static_cast<std::size_t>(i * steps / times - 1)] / record.largest_force());
-      return sampled;
-    };
-    const auto change = [&](int steps) {
-      const std::vector<Load> here = loads(steps), halved = loads(2 * steps);
-      std::vector<double> changes;
-      for (std::size_t i = 0; i < here.size(); ++i) changes.push_back(load_norm(here[i] - halved[i]));
-      std::sort(changes.begin(), changes.end());
-      return changes[times / 2];
-    };
-    double first = change(coarse);
-    for (const int steps : {2 * coarse, 4 * coarse}) first = maximum<double>(first, change(steps));
-    const double last = change(fine);
+      const double largest = record.largest_force();
+      std::vector<Load> now;
+      for (std::size_t i = 1; i <= times; ++i)
+        now.push_back(record.loads[i * record.loads.size() / times - 1] / largest);
+      std::vector<double> change;
+      for (std::size_t i = 0; i < before.size(); ++i) change.push_back(load_norm(now[i] - before[i]));
+      std::sort(change.begin(), change.end());
+      if (!change.empty()) changes.push_back(change[times / 2]);
+      before = now;
+    }
+    const double first = *std::max_element(changes.begin(), changes.begin() + 3), last = changes.back();
     if (last <= 1e-5 + setup.scales.rounding) continue;
     using std::log2;
-    lowest = minimum<double>(lowest, log2(first / last) / 4);
+    lowest = minimum<double>(lowest, log2(changes.front() / last) / 4);
     if (!result.worst.add(last / first)) continue;
     if (result.worst.failed()) result.path = detail::smooth_path(setup.scales, amplitude, times);
   }
