@@ -27,9 +27,9 @@ struct Adapted {
                                    {bodies.two.position, bodies.two.velocity, bodies.two.spin}, dt);
     const auto step = law.step(pair(bodies), motion.template cast<T>(), state);
     state = step.state;
-    const Vector force = step.force.template cast<double>();
-    return {force, Vector(-force), Vector(geometry.arm1.cross(Vector(-force))), Vector(geometry.arm2.cross(force)),
-            static_cast<double>(step.bridge_force)};
+    const Vector force = step.force.template cast<double>(), couple = step.couple.template cast<double>();
+    return {force, Vector(-force), Vector(geometry.arm1.cross(-force) - couple),
+            Vector(geometry.arm2.cross(force) + couple), static_cast<double>(step.bridge_force)};
   }
 
   State start() const { return first; }
@@ -54,7 +54,7 @@ struct Adapted {
     };
     std::vector<double> values = store(first);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] *= factor(units, Law::state_values()[i].unit);
-    const Law other{slot(law.normal), slot(law.damping), slot(law.shear), slot(law.bridge)};
+    const Law other{slot(law.normal), slot(law.damping), slot(law.shear), slot(law.bridge), slot(law.rolling)};
     return {other, T(young * units.pressure()), T(shear * units.pressure()), load(values)};
   }
   /// The slopes of the springs on the active branch. (Law::stiffness() is the largest of any branch, for the time step.)

@@ -49,18 +49,18 @@ inline const Options& checked_options(const Options& o) {
   const auto require = [](const Range& range, double value, const char* what, const char* unit) {
     require_in(range, value, Options::name, what, unit);
   };
-  constexpr double infinity = Range::infinity;
   require(Range::positive(), o.radius1, "radius1", "m");
   require(Range::positive(), o.radius2, "radius2", "m");
   require(Range::positive(), o.mass1, "mass1", "kg");
   require(Range::positive(), o.mass2, "mass2", "kg");
   require({0.0, minimum<double>(o.radius1, o.radius2), false, false}, o.overlap, "overlap", "m");
-  require({1.0, infinity, true, false}, o.paths, "paths", "1");
+  require({1.0, Range::unbounded, true, true}, o.paths, "paths", "1");
   require({0.0, 1e-3, false, true}, o.epsilon, "epsilon", "1");
   const Claims& c = o.claims;
   const double friction = c.friction.value_or(0.0);
   require(Range::not_negative(), friction, "claims.friction", "1");
-  require({friction, infinity, true, false}, c.static_friction.value_or(friction), "claims.static_friction", "1");
+  require({friction, Range::unbounded, true, true}, c.static_friction.value_or(friction), "claims.static_friction",
+          "1");
   require(Range::closed(0.0, 1.0), c.restitution.value_or(0.0), "claims.restitution", "1");
   require(Range::not_negative(), c.range.value_or(0.0), "claims.range", "m");
   require(Range::not_negative(), c.adhesion, "claims.adhesion", "N");

@@ -8,10 +8,12 @@
 
 namespace contactlaws::verify {
 
-/// From finite motion a finite force: also at touch itself, at rest, and in a step of zero duration.
-inline Result finite_force(const Setup& setup) {
-  std::vector<Path> tried = setup.paths;
-  for (Path& path : tried) {
+namespace detail {
+
+/// The random paths, each ending at touch, a hair below it, and at the usual overlap in motion, at rest and with dt = 0.
+inline std::vector<Path> paths_to_touch(const Setup& setup) {
+  std::vector<Path> all = setup.paths;
+  for (Path& path : all) {
     Motion last = path.back();
     for (const double overlap : {0.0, 1e-9, 1.0}) {
       last.overlap = overlap * setup.scales.overlap;
@@ -23,7 +25,14 @@ inline Result finite_force(const Setup& setup) {
     path.push_back(last);
     set_normal_velocities(path);
   }
-  return setup.worst_of("finite force", "steps with a force that is no number", tried, [&](const Path& path) {
+  return all;
+}
+
+}  // namespace detail
+
+/// From finite motion a finite force.
+inline Result finite_force(const Setup& setup) {
+  const auto measure = [&](const Path& path) {
     Finding finding;
     for (const Interaction& i : setup.drive_along(path).interactions) {
       const bool finite = i.force.allFinite() && (!i.force1 || i.force1->allFinite()) &&
@@ -31,13 +40,14 @@ inline Result finite_force(const Setup& setup) {
       finding.error += finite ? 0.0 : 1.0;
     }
     return finding;
-  });
+  };
+  return setup.worst_of("finite force", "steps with a force that is no number", detail::paths_to_touch(setup), measure);
 }
 
 inline Result no_tension(const Setup& setup) {
   constexpr const char* name = "no tension";
   if (!setup.options.claims.no_tension) return not_claimed(name);
-  return setup.worst_of(name, "of the largest force", [&](const Path& path) {
+  return setup.worst_of(name, "of the largest force", detail::paths_to_touch(setup), [&](const Path& path) {
     const Record record = setup.drive_along(path);
     Finding finding{0.0, setup.scales.rounding};
     for (std::size_t i = 0; i < path.size(); ++i)
