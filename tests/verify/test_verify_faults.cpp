@@ -130,7 +130,7 @@ const Case cases[] = {
     {Fault::exchange_keeps, false, "change of owner", {}, 4},
     {Fault::exchange_keeps_roll, false, "change of owner", {}, 4},
     {Fault::never_forgets, false, "open contact", {}, 4},
-    {Fault::divides_by_overlap, false, "finite force", {}, 1},
+    {Fault::divides_by_overlap, false, "finite force", {"no tension"}, 1},
 };
 
 /// The interactions along the path, without the kit's measures.
