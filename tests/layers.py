@@ -21,12 +21,12 @@ LAYERS = [
     "normal/pohrt_popov contact_law damping/restitution",
     "laws batch timestep energy",
     "contactlaws",
-    "verify/adapter verify/options",
+    "verify/force_update verify/options",
     "verify/path verify/adapt",
-    "verify/report verify/shrink verify/random_paths",
-    "verify/trial",
-    "verify/symmetries verify/limits verify/histories verify/energies",
-    "verify/impacts",
+    "verify/report verify/reduce verify/random_paths",
+    "verify/setup",
+    "verify/checks/symmetries verify/checks/limits verify/checks/friction verify/checks/histories verify/checks/energies",
+    "verify/checks/impacts",
     "verify/verify",
 ]
 LAYER = {f"{name}.hpp": layer for layer, names in enumerate(LAYERS) for name in names.split()}
@@ -36,7 +36,7 @@ MATHEMATICS = """abs fabs sqrt cbrt hypot exp exp2 expm1 log log2 log10 log1p po
     sinh cosh tanh asinh acosh atanh fma fmin fmax min max floor ceil round copysign isfinite isnan isinf""".split()
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-OUR_OWN = re.compile(r"^(?:contactlaws/)?((?:\w+/)?\w+\.hpp)$")
+OUR_OWN = re.compile(r"^(?:contactlaws/)?((?:\w+/)*\w+\.hpp)$")
 STANDARD_OR_EIGEN = re.compile(r"^(?:[a-z_0-9]+|Eigen/\w+)$")
 QUALIFIED = re.compile(rf"\bstd\s*::\s*({'|'.join(MATHEMATICS)})\s*[(<]")
 

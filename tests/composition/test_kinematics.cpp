@@ -108,6 +108,30 @@ TEST_CASE("Kinematics: bodies that move as one rigid body do not move relative t
   }
 }
 
+TEST_CASE("Kinematics: at_full_step turns the velocity of half a step ago with the normal") {
+  // Two spheres that turn about each other at `turn` and approach at `speed`: seen along the normal of each instant the
+  // contact point does not slip. Half a step ago the velocity was `speed` along the normal of then.
+  const double turn = 3.0, speed = 0.2, slip = 0.05, distance = 0.15;
+  for (const double dt : {1e-3, 1e-4, 1e-5}) {
+    const double angle = turn * dt / 2;
+    const Vector n(1, 0, 0), across(0, 1, 0);
+    const Vector before(std::cos(angle), -std::sin(angle), 0), across_before(std::sin(angle), std::cos(angle), 0);
+    const ContactKinematics<double> half{n, 1e-6, -speed * before + slip * across_before, dt, 7.0, {1, 2, 3}};
+    const Vector centres = -speed * before + turn * distance * across_before;
+    const ContactKinematics<double> full = at_full_step<double>(half, centres, distance);
+    // What is left is of second order: the angle squared, and the change of the distance within half a step.
+    const double second_order = angle * angle + angle * speed * dt / distance;
+    CHECK(std::abs(full.velocity.dot(n) + speed) <= 2 * second_order * (speed + slip));
+    CHECK(std::abs(full.velocity.dot(across) - slip) <= 2 * second_order * (speed + slip));
+    CHECK(std::abs(half.velocity.dot(across) - slip) >= 0.9 * angle * speed);  // unturned: first order
+    CHECK(full.normal == n);
+    CHECK(full.overlap == half.overlap);
+    CHECK(full.dt == dt);
+    CHECK(full.normal_spin == 7.0);
+    CHECK(full.relative_spin == Vector(1, 2, 3));
+  }
+}
+
 TEST_CASE("Kinematics: overlap of 0.1 um of 5 mm spheres cancels, in float to a per cent: geometry belongs in double") {
   const double radius = 5e-3, distance = 2 * radius - 1e-7;
   const auto overlap = [&](auto type) {

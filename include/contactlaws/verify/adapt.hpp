@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A ContactLaw as an adapter: our laws go through the same checks as anybody's.
+// A ContactLaw as a force update: the laws of this library pass the same checks as any other.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "contactlaws/verify/adapter.hpp"
+#include "contactlaws/verify/force_update.hpp"
 
 namespace contactlaws::verify {
 
@@ -26,9 +27,9 @@ struct Adapted {
                                    {bodies.two.position, bodies.two.velocity, bodies.two.spin}, dt);
     const auto step = law.step(pair(bodies), motion.template cast<T>(), state);
     state = step.state;
-    const Vector force = step.force.template cast<double>();
-    return {force, Vector(-force), Vector(geometry.arm1.cross(Vector(-force))), Vector(geometry.arm2.cross(force)),
-            static_cast<double>(step.bridge_force)};
+    const Vector force = step.force.template cast<double>(), couple = step.couple.template cast<double>();
+    return {force, Vector(-force), Vector(geometry.arm1.cross(-force) - couple),
+            Vector(geometry.arm2.cross(force) + couple), static_cast<double>(step.bridge_force)};
   }
 
   State start() const { return first; }
@@ -53,10 +54,10 @@ struct Adapted {
     };
     std::vector<double> values = store(first);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] *= factor(units, Law::state_values()[i].unit);
-    const Law other{slot(law.normal), slot(law.damping), slot(law.shear), slot(law.bridge)};
+    const Law other{slot(law.normal), slot(law.damping), slot(law.shear), slot(law.bridge), slot(law.rolling)};
     return {other, T(young * units.pressure()), T(shear * units.pressure()), load(values)};
   }
-  /// The slopes of the springs, of the branch that is active: Law::stiffness() tells the max_tangent, for the time step.
+  /// The slopes of the springs on the active branch. (Law::stiffness() is the largest of any branch, for the time step.)
   ContactStiffness<double> stiffness(const Bodies& bodies, const State& state) const {
     State scratch = state;
     const auto response = law.normal.respond(scratch, pair(bodies), T(positive_part<double>(place(bodies).overlap)));
@@ -79,11 +80,14 @@ struct Adapted {
             T(b.one.radius + b.two.radius)};
   }
   static double factor(const Units& units, const std::string& unit) {
+    if (unit == "1" || unit == "rad") return 1.0;
     if (unit == "m") return units.length;
     if (unit == "N") return units.force();
-    if (unit == "N/m") return units.stiffness();
+    if (unit == "N m") return units.force() * units.length;
+    if (unit == "N/m" || unit == "J/m^2") return units.stiffness();
     if (unit == "Pa") return units.pressure();
-    return 1.0;
+    if (unit == "kg/s") return units.damping();
+    throw std::invalid_argument("verify::Adapted: unit '" + unit + "' is not known");
   }
 };
 

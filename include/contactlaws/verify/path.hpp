@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The motion imposed on a contact, as examples/contact_path reads it, and the two bodies that move so.
+// The imposed motion of a contact, as examples/contact_path reads it, and two bodies that move so.
 //
-// A path says overlap and normal at the end of each step, and the relative velocity at the contact during it; it starts at
-// touch. Bodies are found that do this: centres that follow the normal, spins that make up the rest of the slip,
+// A path gives overlap and normal at the end of each step, and the relative velocity at the contact point during it; it
+// starts at touch. The bodies follow the normal with their centres, and the rest of the slip comes from their spins:
 //
-//   r1 w1 + r2 w2 = d n x (dn/dt - v_t/d) + roll       r = R - overlap/2, d = r1 + r2
+//   r1 w1 + r2 w2 = d n x (dn/dt - v_t/d)      w2 - w1 = relative spin      r = R - overlap/2, d = r1 + r2
 //
-// so that the law, which sees bodies, is told the path's velocity to the last few digits.
+// so the velocity that a law computes from the bodies is the path's to the last few digits.
 #pragma once
 
 #include <istream>
@@ -16,22 +16,48 @@
 #include <string>
 #include <vector>
 
-#include "contactlaws/verify/adapter.hpp"
+#include "contactlaws/verify/force_update.hpp"
 #include "contactlaws/verify/options.hpp"
 
 namespace contactlaws::verify {
 
+using Rotation = Eigen::Matrix<double, 3, 3>;
 using Motion = ContactKinematics<double>;
 using Path = std::vector<Motion>;
 
-inline Vector across(const Vector& v, const Vector& normal) { return v - normal * dot<double>(v, normal); }
+/// The part of v in the contact plane.
+inline Vector tangential(const Vector& v, const Vector& normal) { return v - normal * dot<double>(v, normal); }
 
-/// Normal velocities as the overlaps ask for, the first from touch; slip is kept.
-inline void settle(Path& path) {
+/// By `angle` [rad] about the unit vector `axis` (Rodrigues).
+inline Rotation rotation_about(const Vector& axis, double angle) {
+  using std::cos;
+  using std::sin;
+  const double s = sin(angle), c = cos(angle);
+  Rotation r;
+  for (int j = 0; j < 3; ++j) {
+    const Vector e = Vector::Unit(j);
+    r.col(j) = e * c + axis.cross(e) * s + axis * (axis[j] * (1 - c));
+  }
+  return r;
+}
+
+/// The smallest rotation that takes the unit vector a to the unit vector b.
+inline Rotation rotation_between(const Vector& a, const Vector& b) {
+  using std::atan2;
+  using std::fabs;
+  const Vector axis = a.cross(b);
+  const double sine = norm<double>(axis);
+  if (sine > 0.0) return rotation_about(axis / sine, atan2(sine, dot<double>(a, b)));
+  const Vector other = tangential(fabs(a.x()) < 0.6 ? Vector(1, 0, 0) : Vector(0, 1, 0), a).normalized();
+  return rotation_about(other, dot<double>(a, b) < 0.0 ? pi<double>() : 0.0);
+}
+
+/// Normal velocities set to those of the overlaps, the first from touch; slip is kept.
+inline void set_normal_velocities(Path& path) {
   double before = 0.0;
   for (Motion& m : path) {
     const double closing = m.dt > 0.0 ? (m.overlap - before) / m.dt : 0.0;
-    m.velocity = across(m.velocity, m.normal) - m.normal * closing;
+    m.velocity = tangential(m.velocity, m.normal) - m.normal * closing;
     before = m.overlap;
   }
 }
@@ -53,34 +79,36 @@ inline Path refined(const Path& path, int parts) {
     overlap = m.overlap;
     normal = m.normal;
   }
-  settle(fine);
+  set_normal_velocities(fine);
   return fine;
 }
 
-/// What a law is asked in one step.
-struct Moment {
+/// The input of one step of a force update.
+struct Instant {
   Bodies bodies;
   double dt;  ///< [s]
 };
-using Scene = std::vector<Moment>;
+using Trajectory = std::vector<Instant>;
 
-/// Bodies that go along the path, seen from body 1.
-inline Scene staged(const Path& path, const Options& options) {
-  Scene scene;
+/// Bodies that move along the path, seen from body 1.
+inline Trajectory trajectory(const Path& path, const Options& options) {
+  Trajectory all;
+  all.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Motion& m = path[i];
     const double r1 = options.radius1 - m.overlap / 2, r2 = options.radius2 - m.overlap / 2, d = r1 + r2;
-    const Vector slip = across(m.velocity, m.normal);
+    const Vector slip = tangential(m.velocity, m.normal);
     const Vector turn = i > 0 && m.dt > 0.0 ? Vector((m.normal - path[i - 1].normal) / m.dt) : Vector(0, 0, 0);
-    const Vector together = m.normal.cross(across(turn, m.normal) - slip / d) + m.normal * m.normal_spin;
-    const Vector roll = slip / (2 * d * (r1 + r2));
-    const Vector spin1 = together + roll * r2, spin2 = together - roll * r1;
+    const Vector rolling = tangential(m.relative_spin, m.normal);
+    const Vector twisting = (m.relative_spin - rolling) / 2;
+    const Vector common = m.normal.cross(tangential(turn, m.normal) - slip / d) + m.normal * m.normal_spin;
+    const Vector spin1 = common - rolling * (r2 / d) - twisting, spin2 = common + rolling * (r1 / d) + twisting;
     const Vector by_spin = spin2.cross(m.normal * -r2) - spin1.cross(m.normal * r1);
     const Body one{Vector(0, 0, 0), Vector(0, 0, 0), spin1, options.radius1, options.mass1};
     const Body two{m.normal * d, m.velocity - by_spin, spin2, options.radius2, options.mass2};
-    scene.push_back({{one, two}, m.dt});
+    all.push_back({{one, two}, m.dt});
   }
-  return scene;
+  return all;
 }
 
 /// The bodies where they are, at rest.
@@ -89,15 +117,19 @@ inline Bodies at_rest(Bodies bodies) {
   return bodies;
 }
 
+inline constexpr const char* path_header = "dt,overlap,nx,ny,nz,vx,vy,vz,spin,wx,wy,wz";
+
 /// PATH.csv of examples/contact_path.
 inline void write_path(std::ostream& out, const Path& path) {
   const auto digits = out.precision(17);
-  out << "dt,overlap,nx,ny,nz,vx,vy,vz,normal_spin\n";
+  out << path_header << '\n';
   for (const Motion& m : path) {
     out << m.dt << ',' << m.overlap;
-    for (int i = 0; i < 3; ++i) out << ',' << m.normal[i];
-    for (int i = 0; i < 3; ++i) out << ',' << m.velocity[i];
-    out << ',' << m.normal_spin << '\n';
+    for (const double x : m.normal) out << ',' << x;
+    for (const double x : m.velocity) out << ',' << x;
+    out << ',' << m.normal_spin;
+    for (const double x : m.relative_spin) out << ',' << x;
+    out << '\n';
   }
   out.precision(digits);
 }
@@ -106,16 +138,16 @@ inline void write_path(std::ostream& out, const Path& path) {
 inline Path read_path(std::istream& in) {
   Path path;
   std::string line;
-  if (!std::getline(in, line) || line != "dt,overlap,nx,ny,nz,vx,vy,vz,normal_spin")
+  if (!std::getline(in, line) || line != path_header)
     throw std::runtime_error("not a path of contactlaws::verify: its first line is '" + line + "'");
   while (std::getline(in, line)) {
     std::istringstream cells(line);
-    double x[9];
+    double x[12];
     char comma = ',';
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 12; ++i)
       if (!((i == 0 || cells >> comma) && cells >> x[i]) || comma != ',')
-        throw std::runtime_error("not nine numbers: '" + line + "'");
-    path.push_back({Vector(x[2], x[3], x[4]), x[1], Vector(x[5], x[6], x[7]), x[0], x[8]});
+        throw std::runtime_error("not twelve numbers: '" + line + "'");
+    path.push_back({Vector(x[2], x[3], x[4]), x[1], Vector(x[5], x[6], x[7]), x[0], x[8], Vector(x[9], x[10], x[11])});
   }
   return path;
 }

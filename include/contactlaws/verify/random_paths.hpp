@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
 
 #include "contactlaws/verify/path.hpp"
 
@@ -14,6 +15,12 @@ namespace contactlaws::verify {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
+  /// A sequence for each name, so that the paths of one property do not depend on those of another (FNV-1a).
+  Random(std::uint64_t seed, const std::string& name)
+      : engine_([&] {
+          for (const char c : name) seed = (seed ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+          return seed;
+        }()) {}
 
   double uniform(double low, double high) {
     return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
@@ -26,8 +33,9 @@ class Random {
   bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
   Vector direction() {
     for (;;) {
-      const double x = uniform(-1, 1), y = uniform(-1, 1),
-                   z = uniform(-1, 1);  // one after the other, on every compiler
+      const double x = uniform(-1, 1);
+      const double y = uniform(-1, 1);
+      const double z = uniform(-1, 1);
       const Vector v(x, y, z);
       const double square = v.squaredNorm();
       if (square > 0.01 && square < 1.0) return v.normalized();
@@ -35,31 +43,31 @@ class Random {
   }
   Vector direction_across(const Vector& normal) {
     for (;;) {
-      const Vector v = across(direction(), normal);
+      const Vector v = tangential(direction(), normal);
       if (v.squaredNorm() > 0.01) return v.normalized();
     }
   }
   Rotation rotation() {
-    const Vector a = direction(), b = direction_across(a);
-    Rotation r;
-    r << a, b, a.cross(b);
-    return r;
+    const Vector axis = direction();
+    return rotation_about(axis, uniform(0.0, 2 * pi<double>()));
   }
 
  private:
   std::mt19937_64 engine_;
 };
 
-/// What the law's own force makes natural.
+/// Sizes that follow from the law's own force at the usual overlap.
 struct Scales {
-  double overlap;  ///< the largest that is usual [m]
-  double force;    ///< at that overlap [N]
-  double time;     ///< sqrt(m* overlap / force): a third of an impact, about [s]
+  double overlap;   ///< the largest usual one [m]
+  double length;    ///< R1 + R2 [m]
+  double force;     ///< at that overlap [N]
+  double time;      ///< sqrt(m* overlap / force): about a third of an impact [s]
+  double rounding;  ///< that a force may show, relative to the largest along a path [1]
 
   double speed() const { return overlap / time; }  ///< of an impact that gets about so deep [m/s]
 };
 
-/// The normal turns and twists, the overlap wanders, the bodies stick and slip, and now and then part by a hair.
+/// The normal turns and twists, the overlap wanders, the bodies stick, slip and roll, and at times part by a hair.
 inline Path random_path(Random& random, const Scales& scales) {
   constexpr int length = 20;
   Path path;
@@ -68,12 +76,15 @@ inline Path random_path(Random& random, const Scales& scales) {
   for (int i = 0; i < length; ++i) {
     const double turn = random.uniform(0.0, 0.05);
     normal = (normal + turn * random.direction()).normalized();
-    const double share = random.chance(0.05) ? random.uniform(-0.5, 0.0) : random.uniform(0.2, 1.0);
+    const bool open = random.chance(0.05);
+    const double share = open ? random.uniform(-0.5, 0.0) : random.uniform(0.2, 1.0);
     const double slip = scales.overlap * random.log_uniform(1e-3, 0.3);
     const Vector velocity = slip / dt * random.direction_across(normal);
-    path.push_back({normal, scales.overlap * share, velocity, dt, random.uniform(-0.05, 0.05) / dt});
+    const double twist = random.uniform(-0.05, 0.05);
+    const double roll = scales.overlap / scales.length * random.log_uniform(1e-3, 1.0);
+    path.push_back({normal, scales.overlap * share, velocity, dt, twist / dt, Vector(roll / dt * random.direction())});
   }
-  settle(path);
+  set_normal_velocities(path);
   return path;
 }
 

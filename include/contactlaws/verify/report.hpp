@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What came out: a result per property, as data and as a table.
+// One result for each property, as data and as a table.
 #pragma once
 
 #include <algorithm>
@@ -17,20 +17,20 @@ namespace contactlaws::verify {
 enum class Verdict {
   pass,
   fail,
-  not_claimed,  ///< the law does not promise it (Claims)
-  not_offered   ///< the law does not answer what the property asks (adapter.hpp)
+  not_claimed,  ///< the law does not claim the property (Claims)
+  not_offered   ///< the law does not return what the property compares (force_update.hpp)
 };
 
-/// How far off a law was, and how far it may be.
+/// The error of a law, and the largest one allowed.
 struct Finding {
   double error = 0.0;
   double allowed = 0.0;
 
-  /// Takes a larger error, and a NaN, which then stays. Whether it did.
-  bool see(double off) {
+  /// Keeps the larger error; a NaN is kept whatever follows. Whether the new one was kept.
+  bool add(double other) {
     using std::isnan;
-    if (off <= error || isnan(error)) return false;
-    error = off;
+    if (other <= error || isnan(error)) return false;
+    error = other;
     return true;
   }
   bool failed() const { return !(error <= allowed); }  // a NaN fails
@@ -39,10 +39,10 @@ struct Finding {
 struct Result {
   std::string property;
   Verdict verdict = Verdict::pass;
-  Finding worst{};  ///< of all that was tried; what of, `measure` says
-  std::string measure{};
-  Path path{};         ///< a failure's: reduced to the steps that still show it, to a tenth of the worst at least
-  std::string file{};  ///< where the path was written, if it was
+  Finding worst{};        ///< of all paths
+  std::string measure{};  ///< what the error is relative to
+  Path path{};            ///< of a failure: reduced to the steps that still show at least a tenth of the worst error
+  std::string file{};     ///< where the path was written, if it was
 };
 
 struct Report {
