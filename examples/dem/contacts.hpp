@@ -117,7 +117,9 @@ class Contacts {
         add(known.bodies, p);
         listed.push_back(known);
       } else if (Law::outlives_separation && !is_virgin(known.now)) {
-        unlisted_.push_back(known);
+        const contactlaws::ContactKinematics<double> open{Vec3::UnitX(), overlap(one, two), Vec3::Zero(), 0.0};
+        const State state = law.step(p, open, known.now).state;
+        unlisted_.push_back({known.bodies, state, state});
       }
     }
     fill_up();
