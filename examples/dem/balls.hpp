@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies that move: spheres, as plain arrays with one entry per ball. A ball's place in them is its id.
+// The moving bodies: spheres, one array per quantity. A ball's index in them is its id.
 #pragma once
 
 #include <cstddef>
@@ -7,62 +7,81 @@
 
 #include "contactlaws/kinematics.hpp"
 #include "contactlaws/pair.hpp"
-#include "packs.hpp"
 
 namespace dem {
 
-/// A ball as it enters a scene.
+using Vec3 = contactlaws::Vec3<double>;
+
+/// A vector with one number more: four doubles, which load and store as one register.
+struct alignas(32) Row : Vec3 {
+  double w = 0.0;
+
+  Row() : Vec3(Vec3::Zero()) {}
+  Row(const Vec3& vector) : Vec3(vector) {}  // NOLINT: converts a vector
+  using Vec3::operator=;                     // w keeps its value
+
+  auto all() { return Eigen::Map<Eigen::Vector4d, Eigen::Aligned32>(data()); }
+  auto all() const { return Eigen::Map<const Eigen::Vector4d, Eigen::Aligned32>(data()); }
+};
+static_assert(sizeof(Row) == 4 * sizeof(double), "contactlaws::gather_rows reads an array of Row as doubles");
+
+/// A ball to add to a scene.
 struct Ball {
   contactlaws::ContactBody<double> side;  ///< radius, mass and elasticity: contactlaws::sphere(material, radius)
   Vec3 position;                          ///< [m]
   Vec3 velocity = Vec3::Zero();           ///< [m/s]
   Vec3 spin = Vec3::Zero();               ///< [rad/s]
-  bool free = true;  ///< false: moves as it is told, whatever the forces. Its mass counts in m* all the same.
+  bool free = true;  ///< false: velocity and spin are prescribed. The mass counts in m* all the same.
 };
 
-/// A ball of this side against its like.
-inline contactlaws::PairProperties<double> twins(const contactlaws::ContactBody<double>& side) {
-  return {side.radius / 2.0,
-          0.5 / side.normal_compliance,
-          0.5 / side.shear_compliance,
-          0.5 / side.inverse_mass,
-          side.radius,
-          2.0 * side.radius};
-}
-
 struct Balls {
-  std::vector<Row> position;                           ///< [m], at the time of the scene; and the radius
+  std::vector<Row> position;                           ///< [m] at the time of the scene; w is the radius
   std::vector<Row> velocity;                           ///< [m/s], half a step earlier
   std::vector<Row> spin;                               ///< [rad/s], half a step earlier
   std::vector<Row> force;                              ///< of all contacts [N]
-  std::vector<Row> moment;                             ///< of all contacts, about the centre [N m]
+  std::vector<Row> torque;                             ///< of all contacts, about the centre [N m]
   std::vector<double> radius;                          ///< [m]
   std::vector<double> mass;                            ///< [kg]
   std::vector<double> inertia;                         ///< 2/5 m R^2 [kg m^2]
-  std::vector<contactlaws::ContactBody<double>> side;  ///< what pair_properties() asks for
+  std::vector<contactlaws::ContactBody<double>> side;  ///< input of pair_properties()
   std::vector<char> free;                              ///< whether forces move it
 
   std::size_t size() const { return position.size(); }
 
-  /// The new ball's id. @throws std::invalid_argument unless radius and mass are positive and finite
+  /// The new ball's id. @throws std::invalid_argument unless the radius (and the mass, if free) is positive and finite
   int add(const Ball& ball) {
-    using contactlaws::Range;
-    const double r = ball.side.radius;
-    const double m = 1.0 / ball.side.inverse_mass;
-    contactlaws::require_in(Range::positive(), r, "Ball", "radius", "m");
-    if (ball.free) contactlaws::require_in(Range::positive(), m, "Ball", "mass", "kg");
+    check(ball.side, ball.free);
     position.push_back(ball.position);
-    position.back().more = r;
     velocity.push_back(ball.velocity);
     spin.push_back(ball.spin);
     force.emplace_back();
-    moment.emplace_back();
-    radius.push_back(r);
-    mass.push_back(m);
-    inertia.push_back(0.4 * m * r * r);
-    side.push_back(ball.side);
+    torque.emplace_back();
+    radius.emplace_back();
+    mass.emplace_back();
+    inertia.emplace_back();
+    side.emplace_back();
     free.push_back(ball.free);
+    set_body(size() - 1, ball.side);
     return static_cast<int>(size()) - 1;
+  }
+
+  /// Gives a ball another radius, mass and elasticity. @throws as add()
+  void change(std::size_t ball, const contactlaws::ContactBody<double>& body) {
+    check(body, free[ball]);
+    set_body(ball, body);
+  }
+
+ private:
+  static void check(const contactlaws::ContactBody<double>& body, bool is_free) {
+    using contactlaws::Range;
+    contactlaws::require_in(Range::positive(), body.radius, "Ball", "radius", "m");
+    if (is_free) contactlaws::require_in(Range::positive(), 1.0 / body.inverse_mass, "Ball", "mass", "kg");
+  }
+  void set_body(std::size_t b, const contactlaws::ContactBody<double>& body) {
+    side[b] = body;
+    position[b].w = radius[b] = body.radius;
+    mass[b] = 1.0 / body.inverse_mass;
+    inertia[b] = 0.4 * mass[b] * radius[b] * radius[b];
   }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene's progress as JSON, and back: positions, velocities, forces and every contact's history. What the scene is made of
-// (materials, laws, gravity) stays in the program that builds it. A restored scene goes on bit for bit as the saved one.
+// Writes the whole state of a scene as JSON and reads it back: bodies, how they move, forces, every history, time steps.
+// Laws, skin and threads belong to the program that builds the scene. A restored scene goes on bit for bit as the saved one.
 #pragma once
 
 #include <fstream>
@@ -12,41 +12,85 @@
 #include "common/output_file.hpp"
 #include "simulation.hpp"
 
+namespace nlohmann {
+
+template <>
+struct adl_serializer<dem::Vec3> {
+  static void to_json(json& list, const dem::Vec3& v) { list = {v.x(), v.y(), v.z()}; }
+  static void from_json(const json& list, dem::Vec3& v) { v = dem::Vec3(list.at(0), list.at(1), list.at(2)); }
+};
+template <>
+struct adl_serializer<dem::Row> {
+  static void to_json(json& list, const dem::Row& row) { list = {row.x(), row.y(), row.z(), row.w}; }
+  static void from_json(const json& list, dem::Row& row) {
+    row = dem::Vec3(list.at(0), list.at(1), list.at(2));
+    row.w = list.at(3);
+  }
+};
+template <>
+struct adl_serializer<contactlaws::ContactBody<double>> {
+  using Body = contactlaws::ContactBody<double>;
+  static void to_json(json& list, const Body& b) {
+    list = {b.curvature, b.radius, b.inverse_mass, b.normal_compliance, b.shear_compliance};
+  }
+  static void from_json(const json& list, Body& b) { b = {list.at(0), list.at(1), list.at(2), list.at(3), list.at(4)}; }
+};
+template <>
+struct adl_serializer<dem::Wall> {
+  static void to_json(json& list, const dem::Wall& w) { list = {w.side, w.point, w.facing, w.velocity, w.force}; }
+  static void from_json(const json& list, dem::Wall& w) {
+    w = {list.at(0), list.at(1), list.at(2), list.at(3), list.at(4)};
+  }
+};
+
+}  // namespace nlohmann
+
 namespace dem {
 
 namespace detail {
 
-template <class Vector>
-nlohmann::json to_json(const std::vector<Vector>& vectors) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const Vec3& v : vectors) list.push_back({v.x(), v.y(), v.z()});
-  return list;
-}
-template <class Vector>
-void from_json(const nlohmann::json& list, std::vector<Vector>& vectors) {
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-    vectors[i] = Vec3(list.at(i).at(0), list.at(i).at(1), list.at(i).at(2));
+/// Calls `visit(name, member)` for each member of a scene that changes as it runs, contacts apart.
+template <class Scene, class Visit>
+void for_each_member(Scene& scene, const Visit& visit) {
+  visit("time", scene.time);
+  visit("steps", scene.steps);
+  visit("time_step", scene.time_step);
+  visit("last_step", scene.last_step);
+  visit("contact_dt", scene.contact_dt);
+  visit("gravity", scene.gravity);
+  visit("local_damping", scene.local_damping);
+  visit("position", scene.balls.position);
+  visit("velocity", scene.balls.velocity);
+  visit("spin", scene.balls.spin);
+  visit("force", scene.balls.force);
+  visit("torque", scene.balls.torque);
+  visit("radius", scene.balls.radius);
+  visit("mass", scene.balls.mass);
+  visit("inertia", scene.balls.inertia);
+  visit("side", scene.balls.side);
+  visit("free", scene.balls.free);
+  visit("walls", scene.walls);
 }
 
-template <class Law, class T>
-nlohmann::json to_json(const Contacts<Law, T>& contacts) {
+template <class Law, class Pack>
+nlohmann::json histories_to_json(const Contacts<Law, Pack>& contacts) {
   nlohmann::json list = nlohmann::json::array();
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    std::vector<double> history(Law::state_size);
-    Law::store(contacts.state(c), history.data());
-    list.push_back({{"bodies", {contacts.first(c), contacts.second(c)}}, {"history", history}});
+  for (const auto& pair : contacts.histories()) {
+    std::array<double, Law::state_size> before{}, now{};
+    Law::store(pair.before, before.data());
+    Law::store(pair.now, now.data());
+    list.push_back({pair.bodies.first, pair.bodies.second, before, now});
   }
   return list;
 }
-template <class Law, class T>
-void from_json(const nlohmann::json& list, Contacts<Law, T>& contacts) {
+template <class Law, class Pack>
+void histories_from_json(const nlohmann::json& list, Contacts<Law, Pack>& contacts) {
+  std::vector<PairHistory<typename Law::State>> histories;
   for (const nlohmann::json& entry : list) {
-    const Pair bodies{entry.at("bodies").at(0), entry.at("bodies").at(1)};
-    const auto at = std::lower_bound(contacts.bodies.begin(), contacts.bodies.end(), bodies);
-    if (at == contacts.bodies.end() || !(*at == bodies)) continue;  // listed then, but too far apart to have a history
-    const std::vector<double> history = entry.at("history");
-    contacts.set_state(static_cast<std::size_t>(at - contacts.bodies.begin()), Law::load(history.data()));
+    const std::vector<double> before = entry.at(2), now = entry.at(3);
+    histories.push_back({{entry.at(0), entry.at(1)}, Law::load(before.data()), Law::load(now.data())});
   }
+  contacts.set_histories(histories);
 }
 
 }  // namespace detail
@@ -54,28 +98,17 @@ void from_json(const nlohmann::json& list, Contacts<Law, T>& contacts) {
 /// @throws common::InputError naming the file that cannot be written
 template <class Scene>
 void save(const std::string& path, const Scene& scene) {
-  std::vector<Vec3> wall_points;
-  for (const Wall& wall : scene.walls) wall_points.push_back(wall.point);
-  const nlohmann::json checkpoint = {
-      {"time", scene.time},
-      {"steps", scene.steps},
-      {"last_step", scene.last_step},
-      {"position", detail::to_json(scene.balls.position)},
-      {"velocity", detail::to_json(scene.balls.velocity)},
-      {"spin", detail::to_json(scene.balls.spin)},
-      {"force", detail::to_json(scene.balls.force)},
-      {"moment", detail::to_json(scene.balls.moment)},
-      {"walls", detail::to_json(wall_points)},
-      {"ball_contacts", detail::to_json(scene.ball_contacts)},
-      {"wall_contacts", detail::to_json(scene.wall_contacts)},
-  };
+  nlohmann::json checkpoint;
+  detail::for_each_member(scene, [&](const char* name, const auto& member) { checkpoint[name] = member; });
+  checkpoint["ball_contacts"] = detail::histories_to_json(scene.ball_contacts);
+  checkpoint["wall_contacts"] = detail::histories_to_json(scene.wall_contacts);
   common::OutputFile file(path);
   file.stream() << checkpoint.dump(1) << '\n';
   file.complete();
 }
 
-/// Takes up what save() wrote, in a scene built alike that has not moved yet. @throws std::runtime_error if the file cannot
-/// be read, or holds another number of bodies
+/// Restores what save() wrote, in a scene with the same laws and the same number of bodies. @throws std::runtime_error if the
+/// file cannot be read, or holds another number of bodies
 template <class Scene>
 void restore(const std::string& path, Scene& scene) {
   std::ifstream file(path);
@@ -83,21 +116,10 @@ void restore(const std::string& path, Scene& scene) {
   const nlohmann::json checkpoint = nlohmann::json::parse(file);
   if (checkpoint.at("position").size() != scene.balls.size() || checkpoint.at("walls").size() != scene.walls.size())
     throw std::runtime_error(path + " belongs to a scene with another number of bodies");
-
-  std::vector<Vec3> wall_points(scene.walls.size());
-  detail::from_json(checkpoint.at("walls"), wall_points);
-  for (std::size_t w = 0; w < wall_points.size(); ++w) scene.walls[w].point = wall_points[w];
-  detail::from_json(checkpoint.at("position"), scene.balls.position);
-  detail::from_json(checkpoint.at("velocity"), scene.balls.velocity);
-  detail::from_json(checkpoint.at("spin"), scene.balls.spin);
-  scene.start();  // lists the contacts, in these positions
-  detail::from_json(checkpoint.at("ball_contacts"), scene.ball_contacts);
-  detail::from_json(checkpoint.at("wall_contacts"), scene.wall_contacts);
-  detail::from_json(checkpoint.at("force"), scene.balls.force);
-  detail::from_json(checkpoint.at("moment"), scene.balls.moment);
-  scene.time = checkpoint.at("time");
-  scene.steps = checkpoint.at("steps");
-  scene.last_step = checkpoint.at("last_step");
+  detail::for_each_member(scene, [&](const char* name, auto& member) { checkpoint.at(name).get_to(member); });
+  detail::histories_from_json(checkpoint.at("ball_contacts"), scene.ball_contacts);
+  detail::histories_from_json(checkpoint.at("wall_contacts"), scene.wall_contacts);
+  scene.resume();
 }
 
 }  // namespace dem

@@ -1,48 +1,54 @@
 // SPDX-License-Identifier: MIT
-// The contacts of one kind (ball with ball, or wall with ball) under one law: here the law is called.
+// The contacts of one kind (ball with ball, or wall with ball) under one law. The law is evaluated here:
 //
-//   gather   where do the two bodies of each contact meet, and how did they move     (meetings.hpp)
-//   ask      step = law.step(pair, motion, history)                                  look()
-//   scatter  forces and moments, to the bodies                                       add_first(), add_second()
+//   gather   geometry and motion of each contact from its two bodies      (contact_motion.hpp)
+//   law      step = law.step(pair, motion, history)                       evaluate()
+//   scatter  force and torques of each contact; each body sums its own    add_first(), add_second()
 //
-// One column per quantity, so that as many contacts as a pack has lanes are asked at once. Contacts are sorted by the ids of
-// their bodies, and each body adds up its own in that order: no result depends on what the list was built from, nor on how
-// many threads share the work.
+// One column per quantity, so that a pack of contacts is evaluated at once. Contacts are sorted by the ids of their bodies and
+// each body sums in that order, so no result depends on when neighbours were listed or on the number of threads.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <ostream>
 #include <utility>
 #include <vector>
 
+#include "contact_motion.hpp"
+#include "contactlaws/batch.hpp"
 #include "contactlaws/contact_law.hpp"
-#include "meetings.hpp"
 #include "neighbours.hpp"
+#if __has_include(<xsimd/xsimd.hpp>)
+#include "contactlaws/scalars/xsimd.hpp"
+#endif
 
 namespace dem {
 
-/// All there is to know of a contact (or a pack of contacts) at one step.
+/// As many numbers as the machine computes with at once; one number without xsimd.
+using Pack = contactlaws::PackOf<double>::type;
+
+/// A contact (or a pack of contacts) at one step.
 template <class T, class State>
-struct Look {
+struct Outcome {
   contactlaws::ContactGeometry<T> geometry;  ///< now
   contactlaws::ContactKinematics<T> motion;  ///< over the last step
-  contactlaws::Step<T, State> response;      ///< to that motion
+  contactlaws::Step<T, State> response;      ///< of the law to that motion
 };
 
-/// What contacts do to a body, added up.
+/// Sum over the contacts of a body.
 struct Load {
-  Eigen::Vector4d force = Eigen::Vector4d::Zero();    ///< [N]
-  Eigen::Vector4d twist = Eigen::Vector4d::Zero();    ///< see Contacts::twist [N]
-  Eigen::Vector4d shorter = Eigen::Vector4d::Zero();  ///< half the overlap of each, times its twist [N m]
-
-  /// About the centre of a ball [N m]: its arms are shorter than its radius by half an overlap.
-  Eigen::Vector4d moment(double radius) const {
-    return (radius * twist - shorter).cwiseProduct(Eigen::Vector4d(1.0, 1.0, 1.0, 0.0));
-  }
+  Eigen::Vector4d force = Eigen::Vector4d::Zero();   ///< [N]
+  Eigen::Vector4d torque = Eigen::Vector4d::Zero();  ///< about its centre [N m]
 };
 
-/// For each body, which contacts it has: those at `contacts[start[body]]` to before `contacts[start[body + 1]]`, ascending.
+/// Histories of a pair: before and after the last step.
+template <class State>
+struct PairHistory {
+  Pair bodies;
+  State before, now;
+};
+
+/// The contacts of each body: those at `contacts[start[body]]` to before `contacts[start[body + 1]]`, ascending.
 struct ContactsOfBody {
   std::vector<int> start;
   std::vector<int> contacts;
@@ -63,181 +69,216 @@ template <class Law, class PackT>
 class Contacts {
  public:
   using State = typename Law::State;
+  using History = PairHistory<State>;
+  static constexpr std::size_t lanes = contactlaws::ScalarTraits<PackT>::lanes;
 
-  /// One quantity of every contact: a column, or a number that serves all.
-  using Pairs = contactlaws::PairProperties<contactlaws::Column<double>>;
-
-  // Columns are as long as whole packs: the last is filled up with copies of the last contact, which nobody looks at.
+  // Columns are as long as whole packs: the last is filled with copies of the last contact, which are not read.
   std::vector<Pair> bodies;  ///< of each contact
   std::vector<Row> force;    ///< on body 2 [N]
-  std::vector<Row> twist;    ///< force x normal [N], either body's moment by its arm; and half the overlap [m]
+  std::vector<Row> torque1;  ///< on body 1, about its centre [N m]
+  std::vector<Row> torque2;  ///< on body 2, about its centre [N m]
 
   std::size_t size() const { return size_; }
   std::size_t first(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].first); }
   std::size_t second(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].second); }
 
-  /// The contact's history, and another in its place.
   State state(std::size_t contact) const { return state_at<double>(now_, contact); }
-  void set_state(std::size_t contact, const State& state) {
-    std::array<double, Law::state_size> values{};
-    Law::store(state, values.data());
-    for (std::size_t i = 0; i < values.size(); ++i) now_[i][contact] = values[i];
-  }
 
   template <class T>
   CONTACTLAWS_HD contactlaws::PairProperties<T> pair_at(std::size_t contact) const {
     return pair_at<T>(pairs(), contact);
   }
 
-  /// Lists those of `candidates` that are near enough, with histories carried over and new contacts virgin.
-  /// `properties(first, second)` yields PairProperties, `overlap(first, second)` [m]; `margin` [m] is what a gap may
-  /// close before the next listing; `firsts` and `seconds` are the numbers of bodies.
-  template <class Properties, class Overlap>
-  void list(const Law& law, std::vector<Pair> candidates, double margin, std::size_t firsts, std::size_t seconds,
-            const Properties& properties, const Overlap& overlap) {
-    std::sort(candidates.begin(), candidates.end());
-    Contacts next;
-    std::vector<State> states;
-    std::size_t old = 0;
-    for (const Pair& candidate : candidates) {
-      const auto one = static_cast<std::size_t>(candidate.first), two = static_cast<std::size_t>(candidate.second);
-      while (old < size() && bodies[old] < candidate) ++old;
-      const bool known = old < size() && bodies[old] == candidate;
-      const contactlaws::PairProperties<double> p = known ? pair_at<double>(old) : properties(one, two);
-      if (-overlap(one, two) > law.interaction_range(p) + margin) continue;
-      next.add(candidate, p);
-      states.push_back(known ? state(old) : State{});
-    }
-    next.fill_up();
-    for (std::size_t c = 0; c < next.size(); ++c) next.set_state(c, states[c]);
-    next.of_first_.list(firsts, next.size(), [&next](std::size_t c) { return next.first(c); });
-    next.of_second_.list(seconds, next.size(), [&next](std::size_t c) { return next.second(c); });
-    *this = std::move(next);
+  /// Largest gap across which a pair acts [m]: none without a history, since contact begins at touch.
+  static double reach(const Law& law, const contactlaws::PairProperties<double>& pair, const State& state) {
+    return is_virgin(state) ? 0.0 : law.interaction_range(pair);
   }
 
-  /// Before all contacts are asked once: what came out of the last step goes into this one.
+  /// Lists the pairs that act or may do so before the next listing, in which a gap closes by at most `margin` [m]: of
+  /// `found`, of those listed so far and of those with a history. `firsts` and `seconds` are the numbers of bodies;
+  /// `properties(first, second)` yields PairProperties, `overlap(first, second)` [m].
+  template <class Properties, class Overlap>
+  void list(const Law& law, const std::vector<Pair>& found, double margin, std::size_t firsts, std::size_t seconds,
+            const Properties& properties, const Overlap& overlap) {
+    std::vector<History> pairs_known = histories();
+    for (const Pair& pair : found) pairs_known.push_back({pair, {}, {}});
+    const auto by_bodies = [](const History& a, const History& b) { return a.bodies < b.bodies; };
+    const auto same_bodies = [](const History& a, const History& b) { return a.bodies == b.bodies; };
+    std::stable_sort(pairs_known.begin(), pairs_known.end(), by_bodies);  // keeps a known history before a new one
+    pairs_known.erase(std::unique(pairs_known.begin(), pairs_known.end(), same_bodies), pairs_known.end());
+
+    *this = Contacts();
+    std::vector<History> listed;
+    for (const History& known : pairs_known) {
+      const auto one = static_cast<std::size_t>(known.bodies.first),
+                 two = static_cast<std::size_t>(known.bodies.second);
+      const contactlaws::PairProperties<double> p = properties(one, two);
+      if (-overlap(one, two) <= reach(law, p, known.now) + margin) {
+        add(known.bodies, p);
+        listed.push_back(known);
+      } else if (Law::outlives_separation && !is_virgin(known.now)) {
+        const contactlaws::ContactKinematics<double> open{Vec3::UnitX(), overlap(one, two), Vec3::Zero(), 0.0};
+        const State state = law.step(p, open, known.now).state;
+        unlisted_.push_back({known.bodies, state, state});
+      }
+    }
+    fill_up();
+    for (std::size_t c = 0; c < size(); ++c) {
+      set_state(before_, c, listed[c].before);
+      set_state(now_, c, listed[c].now);
+    }
+    of_first_.list(firsts, size(), [this](std::size_t c) { return first(c); });
+    of_second_.list(seconds, size(), [this](std::size_t c) { return second(c); });
+  }
+
+  /// All pairs that are listed or have a history.
+  std::vector<History> histories() const {
+    std::vector<History> all = unlisted_;
+    for (std::size_t c = 0; c < size(); ++c) all.push_back({bodies[c], state_at<double>(before_, c), state(c)});
+    return all;
+  }
+  /// Histories that the next list() takes up.
+  void set_histories(const std::vector<History>& histories) {
+    *this = Contacts();
+    unlisted_ = histories;
+  }
+
+  /// Wets a contact of this overlap [m] if its gap is at most `moisture_gap` [m].
+  void make_wet(std::size_t contact, double overlap, double moisture_gap) {
+    for (Columns* history : {&before_, &now_}) {
+      State state = state_at<double>(*history, contact);
+      Law::make_wet(state, overlap, moisture_gap);
+      set_state(*history, contact, state);
+    }
+  }
+
+  /// Before all contacts are evaluated once: the histories after the last step are those before this one.
   void begin_step() { std::swap(before_, now_); }
 
-  /// Asks the law for the responses of contacts `first` (a multiple of the lanes) to `last`, and moves their histories on.
-  template <class Meet>
-  CONTACTLAWS_FLATTEN void ask(const Law& law, const Meet& meet, std::size_t first, std::size_t last) {
-    const auto law_of_packs = law.template cast<PackT>();
+  /// Evaluates contacts `first` (a multiple of the lanes) to before `last`: forces, torques and new histories.
+  template <class Motion>
+  CONTACTLAWS_FLATTEN void evaluate(const Law& law, const Motion& motion, std::size_t first, std::size_t last) {
+    const auto pack_law = law.template cast<PackT>();
     using PackLaw = typename Law::template Rebind<PackT>;
+    using PackVec = contactlaws::Vec3<PackT>;
     const Pairs all_pairs = pairs();
-    for (std::size_t c = first; c < last; c += lanes<PackT>) {
-      const Look<PackT, typename PackLaw::State> look = look_at<PackT>(law_of_packs, meet, all_pairs, c);
-      const contactlaws::Vec3<PackT>& push = look.response.force;
-      dem::store<PackT>(force, c, {push, PackT(0.0)});
-      dem::store<PackT>(twist, c, {push.cross(look.geometry.normal), look.geometry.overlap / PackT(2.0)});
+    for (std::size_t c = first; c < last; c += lanes) {
+      const auto outcome = outcome_at<PackT>(pack_law, motion, all_pairs, c);
+      const PackVec& f = outcome.response.force;
+      store(force, c, f);
+      store(torque1, c, PackVec(f.cross(outcome.geometry.arm1)));
+      store(torque2, c, PackVec(outcome.geometry.arm2.cross(f)));
       std::array<PackT, Law::state_size> values{};
-      PackLaw::store(look.response.state, values.data());
-      for (std::size_t i = 0; i < values.size(); ++i) dem::store(now_[i], c, values[i]);
+      PackLaw::store(outcome.response.state, values.data());
+      for (std::size_t i = 0; i < values.size(); ++i)
+        contactlaws::ScalarTraits<PackT>::store(now_[i].data() + c, values[i]);
     }
   }
 
-  /// What contact number `contact` answered at the last step. A step is pure: whoever wants more than the force asks again.
-  template <class Meet>
-  Look<double, State> look(const Law& law, const Meet& meet, std::size_t contact) const {
-    return look_at<double>(law, meet, pairs(), contact);
+  /// A contact at the last step: a step is pure, so it may be evaluated again for more than its force.
+  template <class Motion>
+  Outcome<double, State> outcome(const Law& law, const Motion& motion, std::size_t contact) const {
+    return outcome_at<double>(law, motion, pairs(), contact);
   }
 
-  /// Adds what the contacts do to a body that comes first in them, or second.
+  /// Adds the forces and torques of the contacts of which `body` is the first, or the second.
   void add_first(std::size_t body, Load& load) const {
     for (int k = of_first_.start[body]; k < of_first_.start[body + 1]; ++k) {
       const auto c = static_cast<std::size_t>(k);  // contacts are sorted by their first body
-      load.force -= force[c].four();
-      load.twist += twist[c].four();
-      load.shorter += twist[c].more * twist[c].four();
+      load.force -= force[c].all();
+      load.torque += torque1[c].all();
     }
   }
   void add_second(std::size_t body, Load& load) const {
     for (int k = of_second_.start[body]; k < of_second_.start[body + 1]; ++k) {
       const auto c = static_cast<std::size_t>(of_second_.contacts[static_cast<std::size_t>(k)]);
-      load.force += force[c].four();
-      load.twist += twist[c].four();
-      load.shorter += twist[c].more * twist[c].four();
+      load.force += force[c].all();
+      load.torque += torque2[c].all();
     }
   }
 
  private:
-  using History = std::array<Column, Law::state_size>;
+  using Pairs = contactlaws::PairProperties<contactlaws::Column<double>>;
+  using Columns = std::array<std::vector<double>, Law::state_size>;
 
   std::size_t size_ = 0;
-  contactlaws::PairProperties<Column> pair_;  ///< computed when a contact is listed; one number where all are alike
-  History before_;                            ///< what the last step started from
-  History now_;
+  contactlaws::PairProperties<std::vector<double>> pair_;  ///< a column of one number where all are equal
+  Columns before_, now_;                                   ///< histories before and after the last step
+  std::vector<History> unlisted_;                          ///< histories that outlive the listing of their pairs
   ContactsOfBody of_first_, of_second_;
 
+  static bool is_virgin(const State& state) {
+    std::array<double, Law::state_size> values{};
+    Law::store(state, values.data());
+    return std::all_of(values.begin(), values.end(), [](double x) { return x == 0.0; });
+  }
+  static void set_state(Columns& history, std::size_t contact, const State& state) {
+    std::array<double, Law::state_size> values{};
+    Law::store(state, values.data());
+    for (std::size_t i = 0; i < values.size(); ++i) history[i][contact] = values[i];
+  }
+
+  std::array<std::vector<double>*, 6> pair_columns() {
+    return {&pair_.effective_radius, &pair_.effective_young, &pair_.effective_shear,
+            &pair_.effective_mass,   &pair_.min_radius,      &pair_.length};
+  }
   void add(const Pair& ids, const contactlaws::PairProperties<double>& p) {
     ++size_;
     bodies.push_back(ids);
-    pair_.effective_radius.push_back(p.effective_radius);
-    pair_.effective_young.push_back(p.effective_young);
-    pair_.effective_shear.push_back(p.effective_shear);
-    pair_.effective_mass.push_back(p.effective_mass);
-    pair_.min_radius.push_back(p.min_radius);
-    pair_.length.push_back(p.length);
+    const auto columns = pair_columns();
+    auto column = columns.begin();
+    p.template map<double>([&column](double x) { return (*column++)->push_back(x), x; });
   }
 
   void fill_up() {
     if (size_ == 0) return;
-    const std::size_t length = (size_ + lanes<PackT> - 1) / lanes<PackT> * lanes<PackT>;
+    const std::size_t length = (size_ + lanes - 1) / lanes * lanes;
     bodies.resize(length, bodies.back());
-    for (Column* column : {&pair_.effective_radius, &pair_.effective_young, &pair_.effective_shear,
-                           &pair_.effective_mass, &pair_.min_radius, &pair_.length}) {
-      const bool alike = std::equal(column->begin() + 1, column->end(), column->begin());
-      column->resize(alike ? 1 : length, column->back());
+    for (std::vector<double>* column : pair_columns()) {
+      const bool all_equal = std::equal(column->begin() + 1, column->end(), column->begin());
+      column->resize(all_equal ? 1 : length, column->back());
     }
-    for (History* history : {&before_, &now_})
-      for (Column& column : *history) column.resize(length);
-    force.resize(length);
-    twist.resize(length);
+    for (Columns* history : {&before_, &now_})
+      for (std::vector<double>& column : *history) column.resize(length);
+    for (std::vector<Row>* rows : {&force, &torque1, &torque2}) rows->resize(length);
   }
 
   Pairs pairs() const {
-    const auto column = [](const Column& c) {
+    return pair_.map<contactlaws::Column<double>>([](const std::vector<double>& c) {
       return c.size() == 1 ? contactlaws::Column<double>(c[0]) : contactlaws::Column<double>(c.data());
-    };
-    return {column(pair_.effective_radius), column(pair_.effective_young), column(pair_.effective_shear),
-            column(pair_.effective_mass),   column(pair_.min_radius),      column(pair_.length)};
+    });
   }
   template <class T>
   CONTACTLAWS_HD static contactlaws::PairProperties<T> pair_at(const Pairs& pairs, std::size_t contact) {
-    const auto at = [contact](const contactlaws::Column<double>& column) {
+    return pairs.map<T>([contact](const contactlaws::Column<double>& column) {
       return column.array() ? contactlaws::ScalarTraits<T>::load(column.array() + contact) : T(column.same());
-    };
-    return {at(pairs.effective_radius), at(pairs.effective_young), at(pairs.effective_shear),
-            at(pairs.effective_mass),   at(pairs.min_radius),      at(pairs.length)};
+    });
   }
 
   template <class T>
-  CONTACTLAWS_HD static typename Law::template Rebind<T>::State state_at(const History& history, std::size_t contact) {
+  CONTACTLAWS_HD static typename Law::template Rebind<T>::State state_at(const Columns& history, std::size_t contact) {
     std::array<T, Law::state_size> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = load<T>(history[i], contact);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = contactlaws::ScalarTraits<T>::load(history[i].data() + contact);
     return Law::template Rebind<T>::load(values.data());
   }
 
-  /// One contact (T = double), or the pack that starts with it. A contact beyond the law's range is forgotten, so that no
-  /// result depends on how long the list still holds it: a law that knows a spot again after a gap sees a new contact here.
-  template <class T, class LawT, class Meet>
-  CONTACTLAWS_HD Look<T, typename LawT::State> look_at(const LawT& law, const Meet& meet, const Pairs& all_pairs,
-                                                       std::size_t contact) const {
-    std::array<std::size_t, lanes<T>> one, two;
-    for (std::size_t l = 0; l < lanes<T>; ++l) {
+  CONTACTLAWS_HD static void store(std::vector<Row>& rows, std::size_t first, const contactlaws::Vec3<PackT>& v) {
+    contactlaws::store_rows<PackT>(rows[first].data(), {v.x(), v.y(), v.z(), PackT(0.0)});
+  }
+
+  /// One contact (T = double), or the pack that starts with it.
+  template <class T, class LawT, class Motion>
+  CONTACTLAWS_HD Outcome<T, typename LawT::State> outcome_at(const LawT& law, const Motion& motion,
+                                                             const Pairs& all_pairs, std::size_t contact) const {
+    Ids<T> one, two;
+    for (std::size_t l = 0; l < one.size(); ++l) {
       one[l] = first(contact + l);
       two[l] = second(contact + l);
     }
-    const contactlaws::PairProperties<T> p = pair_at<T>(all_pairs, contact);
-    const Meeting<T> meeting = meet.template at<T>(one, two);
-    auto response = law.step(p, meeting.motion, state_at<T>(before_, contact));
-    const contactlaws::Mask<T> beyond = -meeting.geometry.overlap > law.interaction_range(p);
-    if (contactlaws::any<T>(beyond)) {
-      std::array<T, Law::state_size> values{};
-      LawT::store(response.state, values.data());
-      for (T& value : values) value = contactlaws::select<T>(beyond, T(0), value);
-      response.state = LawT::load(values.data());
-    }
-    return {meeting.geometry, meeting.motion, response};
+    const ContactMotion<T> moved = motion.template at<T>(one, two);
+    return {moved.geometry, moved.motion,
+            law.step(pair_at<T>(all_pairs, contact), moved.motion, state_at<T>(before_, contact))};
   }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which balls are near each other, in a time that grows with their number and not with its square.
+// Pairs of balls that are near each other, in a time proportional to their number (times its logarithm).
 //
-// Space is cut into rows along x; balls are sorted by row, and along x within it. Each ball then sweeps the rows that it can
-// reach for balls no larger than itself. Rows are about as wide as a usual ball reaches, so most look at 3 x 3 rows, and the
-// few large ones at more: sizes may differ by a hundred, and empty space costs nothing.
+// Space is divided into rows along x. Balls are sorted by row, and along x within a row. Each ball searches the rows within
+// its search radius for balls no larger than itself. Rows are as wide as the mean search radius, so most balls search 3 x 3
+// rows and the few large ones more. Sizes may differ by a factor of a hundred; empty space costs nothing.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Pair {
 namespace detail {
 
 struct RowEntry {
-  double row_z, row_y;  ///< numbers of the row
+  double row_z, row_y;  ///< indices of the row
   double x;             ///< [m]
   int ball;
   friend bool operator<(const RowEntry& a, const RowEntry& b) {
@@ -40,26 +40,26 @@ struct RowEntry {
 
 }  // namespace detail
 
-/// All pairs (first < second, in no particular order) whose gap is at most `reach` of the larger ball (of the later, where
-/// both are equal) [m]. @throws std::runtime_error naming a ball whose position is not finite
+/// All pairs (first < second, in no particular order) whose gap is at most `reach` [m]. @throws std::runtime_error naming a ball whose position is not finite
 template <class Position>
 std::vector<Pair> find_neighbours(const std::vector<Position>& position, const std::vector<double>& radius,
-                                  const std::vector<double>& reach) {
+                                  double reach) {
   using detail::RowEntry;
   const std::size_t count = position.size();
   if (count == 0) return {};
 
-  // Farthest that ball i can see the centre of a ball no larger than itself.
-  const auto sight = [&](std::size_t i) { return 2.0 * radius[i] + reach[i]; };
+  // Largest distance to the centre of a ball no larger than ball i.
+  const auto search_radius = [&](std::size_t i) { return 2.0 * radius[i] + reach; };
   double width = 0.0;
-  for (std::size_t i = 0; i < count; ++i) width += sight(i) / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) width += search_radius(i) / static_cast<double>(count);
   const auto row_of = [width](double coordinate) { return std::floor(coordinate / width); };
 
   std::vector<RowEntry> rows(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3& p = position[i];
     if (!p.allFinite())
-      throw std::runtime_error("ball " + std::to_string(i) + " is lost: its position is not finite. A shorter step?");
+      throw std::runtime_error("ball " + std::to_string(i) +
+                               " is lost: its position is not finite. Try a shorter time step.");
     rows[i] = {row_of(p.z()), row_of(p.y()), p.x(), static_cast<int>(i)};
   }
   std::sort(rows.begin(), rows.end());
@@ -69,7 +69,7 @@ std::vector<Pair> find_neighbours(const std::vector<Position>& position, const s
     const int id = entry.ball;
     const auto i = static_cast<std::size_t>(id);
     const Vec3& p = position[i];
-    const double far = sight(i);
+    const double far = search_radius(i);
     const double low_y = row_of(p.y() - far), low_z = row_of(p.z() - far);
     const int rows_y = static_cast<int>(row_of(p.y() + far) - low_y),
               rows_z = static_cast<int>(row_of(p.z() + far) - low_z);
@@ -81,8 +81,8 @@ std::vector<Pair> find_neighbours(const std::vector<Position>& position, const s
              ++other) {
           const auto o = static_cast<std::size_t>(other->ball);
           const bool is_larger = radius[o] > radius[i] || (radius[o] == radius[i] && other->ball >= id);
-          if (is_larger) continue;  // finds this one itself
-          if ((position[o] - p).norm() - radius[o] - radius[i] <= reach[i])
+          if (is_larger) continue;  // finds this pair itself
+          if ((position[o] - p).norm() - radius[o] - radius[i] <= reach)
             pairs.push_back({std::min(id, other->ball), std::max(id, other->ball)});
         }
       }

@@ -60,14 +60,14 @@ void write_contacts_vtk(std::ostream& file, const Scene& scene) {
     file << "2 " << scene.ball_contacts.first(c) << ' ' << scene.ball_contacts.second(c) << '\n';
   file << "CELL_DATA " << count << '\n';
   const auto normal_force = [&](std::size_t i) {
-    const auto look = scene.ball_contact(active[i]);
-    return look.response.force.dot(look.geometry.normal);
+    const auto contact = scene.ball_contact(active[i]);
+    return contact.response.force.dot(contact.geometry.normal);
   };
   detail::write_field(file, detail::scalars("normal_force"), count, normal_force);
   detail::write_field(file, detail::scalars("shear_force"), count, [&](std::size_t i) {
-    const auto look = scene.ball_contact(active[i]);
-    const Vec3 normal_part = look.geometry.normal * normal_force(i);
-    return (look.response.force - normal_part).norm();
+    const auto contact = scene.ball_contact(active[i]);
+    const Vec3 normal_part = contact.geometry.normal * normal_force(i);
+    return (contact.response.force - normal_part).norm();
   });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work in even shares, a thread each.
+// Divides work evenly among threads.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace dem {
 
-/// Calls work(first, last) on shares that together are 0 .. count, each starting at a multiple of `grain`; returns when all
-/// are done. Work on one entry must not depend on another's, nor throw.
+/// Calls work(first, last) on shares of 0 .. count, one per thread, each starting at a multiple of `grain`; returns when all are
+/// done. Entries must be independent of each other, and the work must not throw.
 template <class Work>
 void in_parallel(int threads, std::size_t count, std::size_t grain, const Work& work) {
   const auto shares = static_cast<std::size_t>(threads);

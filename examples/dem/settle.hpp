@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Running a scene until it rests.
+// Steps a scene until it is at rest.
 #pragma once
 
 #include "common/progress.hpp"
@@ -8,16 +8,16 @@
 namespace dem {
 
 struct Settling {
-  double ratio = 1e-9;  ///< the unbalanced_ratio() that counts as equilibrium [1]
-  double safety = 0.5;  ///< share of stable_time_step() to take; fast impacts, which stiffen contacts, want less [1]
+  double ratio = 1e-9;                 ///< the unbalanced_ratio() that counts as equilibrium [1]
+  double safety = 0.5;                 ///< share of stable_time_step() to take [1]
   std::int64_t most_steps = 10000000;  ///< then give up
 };
 
-/// Steps until equilibrium, calling `watch()` after each step; whether it was reached before `most_steps` and Ctrl-C.
+/// Steps until equilibrium, calling `watch()` after each step. Whether it was reached before `most_steps` and Ctrl-C.
 template <class Scene, class Watch>
 bool settle(Scene& scene, const Settling& settling, const Watch& watch) {
-  constexpr int every = 10;  // steps between looks at the scene: an impact takes more, and the looks cost little
-  constexpr int hold = 100;  // times that the ratio must be found small: a force may also pass through zero
+  constexpr int every = 10;  // steps between two checks: an impact takes 20 at the default safety
+  constexpr int hold = 100;  // checks in a row with a small ratio: a force may also pass through zero
   int held = 0;
   for (std::int64_t step = 0; step < settling.most_steps && !common::stop_requested(); ++step) {
     if (step % every == 0) {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A minimal discrete element method: balls and walls, one contact law between balls and one at walls. One step:
 //
-//   kick      v += F/m dt      velocities live half a step before the positions (leapfrog; PFC's scheme)
+//   kick      v += F/m dt      velocities are half a step behind the positions (leapfrog; PFC's scheme)
 //   drift     x += v dt
-//   search    list the neighbours anew, if something moved half a skin since
-//   gather    where do the two bodies of each contact meet, and how did they move
-//   ask       the contact law for the force
-//   scatter   forces and moments to the bodies
+//   search    list the neighbours anew if a body has moved half the margin of the list
+//   forces    evaluate the law for all contacts, sum forces and torques on each body     (contacts.hpp)
 //
-// Contacts between balls are asked a pack at a time. Each thread asks a share of the contacts, then each adds up the forces on
-// a share of the balls: the same bits on any number of threads.
-// Nothing here knows a formula of contact: copy this to see how a law is called.
+// Contacts between balls are evaluated in packs. Threads share the contacts, then the balls: the bits of a result are the same
+// for any number of threads. There is no formula of contact here: copy this to see how a law is called.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +23,7 @@
 
 namespace dem {
 
-/// `BallPack`: how many contacts between balls are asked at once; double for one.
+/// `BallPack`: the contacts between balls that are evaluated at once; double for one.
 template <class BallLaw, class WallLaw = BallLaw, class BallPack = Pack>
 class Simulation {
  public:
@@ -36,17 +33,18 @@ class Simulation {
   Vec3 gravity = Vec3::Zero();     ///< [m/s^2]
   double local_damping = 0.0;      ///< share of an unbalanced force that opposes motion, in [0, 1); PFC's is 0.7 [1]
   double time_step = 0.0;          ///< [s]; may change from step to step
-  double skin = 0.3;               ///< how far neighbours are listed beyond the laws' reach, in smallest radii [1]
+  double skin = 0.3;               ///< neighbours are listed up to gaps of this many smallest radii [1]
   int threads = 1;                 ///< that share the work of a step
-  std::ostream* log = &std::clog;  ///< where warnings go
+  std::ostream* log = &std::clog;  ///< receives warnings; null for none
 
   Balls balls;
   std::vector<Wall> walls;
   Contacts<BallLaw, BallPack> ball_contacts;
-  Contacts<WallLaw, double> wall_contacts;  ///< few: asked one at a time
+  Contacts<WallLaw, double> wall_contacts;  ///< few: evaluated one at a time
   double time = 0.0;                        ///< [s]
   std::int64_t steps = 0;                   ///< taken so far
-  double last_step = 0.0;  ///< [s]; 0 before the first: velocities are then those of the start, not half a step older
+  double last_step = 0.0;   ///< [s]; 0 before the first: velocities then belong to the start, not to half a step before
+  double contact_dt = 0.0;  ///< step over which the contacts were last evaluated [s]
 
   Simulation(const BallLaw& between_balls, const WallLaw& at_walls)
       : ball_law(contactlaws::checked(between_balls)), wall_law(contactlaws::checked(at_walls)) {}
@@ -65,6 +63,17 @@ class Simulation {
     return static_cast<int>(walls.size()) - 1;
   }
 
+  /// Gives a ball (or a wall) the properties of another body: radius, mass, elasticity. Its contacts follow at the next step.
+  /// @throws std::invalid_argument if there is no such ball, or as Balls::add says
+  void change(int ball, const contactlaws::ContactBody<double>& body) {
+    balls.change(checked_id(ball, balls.size(), "ball"), body);
+    started_ = false;
+  }
+  void change_wall(int wall, const contactlaws::ContactBody<double>& body) {
+    walls[checked_id(wall, walls.size(), "wall")].side = body;
+    started_ = false;
+  }
+
   /// From now on the ball moves at this velocity [m/s] and spin [rad/s], whatever the forces.
   /// @throws std::invalid_argument if there is no such ball
   void drive(int ball, const Vec3& velocity, const Vec3& spin = Vec3::Zero()) {
@@ -81,6 +90,15 @@ class Simulation {
   /// From now on the wall moves at this velocity [m/s]. @throws std::invalid_argument if there is no such wall
   void drive_wall(int wall, const Vec3& velocity) { walls[checked_id(wall, walls.size(), "wall")].velocity = velocity; }
 
+  /// Wets the contacts between balls with gaps of at most `moisture_gap` [m], for laws with a bridge. Forces follow with the
+  /// next step.
+  void make_wet(double moisture_gap) {
+    start();
+    list_neighbours(moisture_gap);
+    for (std::size_t c = 0; c < ball_contacts.size(); ++c)
+      ball_contacts.make_wet(c, ball_contact(c).geometry.overlap, moisture_gap);
+  }
+
   /// Advances by time_step. @throws std::invalid_argument if time_step, local_damping or threads is out of range
   void step() {
     contactlaws::require_in(contactlaws::Range::positive(), time_step, "Simulation", "time_step", "s");
@@ -88,51 +106,54 @@ class Simulation {
     contactlaws::require_in({1.0, std::numeric_limits<double>::infinity(), true, false}, threads, "Simulation",
                             "threads", "1");
     start();
-    // The kick goes from the middle of the last step to the middle of this one.
-    const bool far = move((last_step + time_step) / 2.0, time_step);
+    // The kick spans from the middle of the last step to the middle of this one.
+    const bool moved_far = move((last_step + time_step) / 2.0, time_step);
     last_step = time_step;
     time += time_step;
     ++steps;
-    if (far) list_neighbours();
-    find_forces(time_step);
+    if (moved_far) list_neighbours();
+    compute_forces(time_step);
   }
 
-  /// Lists neighbours and finds the forces of a scene as it stands; no time passes, so no history moves. A step begins
-  /// with this where bodies were added.
+  /// Lists neighbours and computes forces where bodies were added or changed; no time passes, so no history moves. Each step
+  /// begins with it.
   void start() {
     if (started_) return;
-    started_ = true;
-    list_neighbours();
-    find_forces(0.0);
+    resume();
+    compute_forces(0.0);
     if (log == nullptr) return;
     for (std::size_t c = 0; c < ball_contacts.size(); ++c)
       warn_of_overlap(ball_contacts, "ball", c, ball_contact(c).geometry.overlap);
     for (std::size_t c = 0; c < wall_contacts.size(); ++c)
       warn_of_overlap(wall_contacts, "wall", c, wall_contact(c).geometry.overlap);
   }
-
-  /// A contact at the last step: where, how it moved, and all that the law said. Bodies must be as that step left them.
-  Look<double, typename BallLaw::State> ball_contact(std::size_t contact) const {
-    return ball_contacts.look(ball_law, balls_meet(), contact);
+  /// Lists the neighbours of a scene whose forces and histories were restored.
+  void resume() {
+    started_ = true;
+    list_neighbours();
   }
-  Look<double, typename WallLaw::State> wall_contact(std::size_t contact) const {
-    return wall_contacts.look(wall_law, wall_meets_ball(), contact);
+
+  /// A contact at the last step: geometry, motion, response of the law. Bodies must be as that step left them.
+  Outcome<double, typename BallLaw::State> ball_contact(std::size_t contact) const {
+    return ball_contacts.outcome(ball_law, ball_motion(), contact);
+  }
+  Outcome<double, typename WallLaw::State> wall_contact(std::size_t contact) const {
+    return wall_contacts.outcome(wall_law, wall_motion(), contact);
   }
 
  private:
   using Vec4 = Eigen::Vector4d;
 
   bool started_ = false;
-  double last_dt_ = 0.0;        ///< over which contacts were last asked to move [s]
-  double margin_ = 0.0;         ///< how far neighbours were listed beyond the laws' reach [m]
-  std::vector<Row> listed_at_;  ///< where balls, then walls, were when neighbours were listed [m]
+  double margin_ = 0.0;         ///< largest gap of two listed bodies that do not act on each other [m]
+  std::vector<Row> listed_at_;  ///< positions of balls, then of walls, when neighbours were listed [m]
 
   static std::size_t checked_id(int id, std::size_t count, const char* kind) {
     contactlaws::require_in({0.0, static_cast<double>(count), true, false}, id, "Simulation", kind, "1");
     return static_cast<std::size_t>(id);
   }
 
-  /// A line for two bodies that overlap by more than a tenth of the smaller radius.
+  /// Warns of an overlap of more than a tenth of the smaller radius.
   template <class Contacts>
   void warn_of_overlap(const Contacts& contacts, const char* first_kind, std::size_t c, double overlap) const {
     const double allowed = contacts.template pair_at<double>(c).min_radius / 10.0;
@@ -144,22 +165,22 @@ class Simulation {
 
   // Motion ------------------------------------------------------------------------------------------------------------
 
-  /// Kicks the velocities over `kick` and lets the positions drift over `drift` [s]. Whether a body is now half a margin away
-  /// from where neighbours were listed.
+  /// Updates velocities over `kick` and positions over `drift` [s]. Whether a body has moved half a margin since neighbours
+  /// were listed.
   bool move(double kick, double drift) {
     const double allowed = margin_ * margin_ / 4.0;
     std::atomic<bool> far{false};
     const Vec4 acceleration(gravity.x(), gravity.y(), gravity.z(), 0.0);
     in_parallel(threads, balls.size(), 1, [&, this](std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) {
-        auto position = balls.position[b].four(), velocity = balls.velocity[b].four(), spin = balls.spin[b].four();
+        auto position = balls.position[b].all(), velocity = balls.velocity[b].all(), spin = balls.spin[b].all();
         if (balls.free[b]) {
-          const Vec4 force = balls.force[b].four() + balls.mass[b] * acceleration;
+          const Vec4 force = balls.force[b].all() + balls.mass[b] * acceleration;
           velocity += damped(force, velocity) * (kick / balls.mass[b]);
-          spin += damped(balls.moment[b].four(), spin) * (kick / balls.inertia[b]);
+          spin += damped(balls.torque[b].all(), spin) * (kick / balls.inertia[b]);
         }
         position += velocity * drift;
-        if ((position - listed_at_[b].four()).squaredNorm() > allowed) far = true;
+        if ((position - listed_at_[b].all()).squaredNorm() > allowed) far = true;
       }
     });
     for (std::size_t w = 0; w < walls.size(); ++w) {
@@ -169,7 +190,7 @@ class Simulation {
     return far;
   }
 
-  /// What local damping leaves of an unbalanced force or moment F: F - alpha |F| sign(v), per component (Itasca).
+  /// An unbalanced force or torque F less local damping: F - alpha |F| sign(v), per component (Itasca).
   Vec4 damped(const Vec4& load, const Vec4& velocity) const {
     if (!(local_damping > 0.0)) return load;
     Vec4 left = load;
@@ -182,50 +203,54 @@ class Simulation {
 
   // Neighbours --------------------------------------------------------------------------------------------------------
 
-  void list_neighbours() {
+  /// Lists pairs with gaps up to the margin, and `more` [m].
+  void list_neighbours(double more = 0.0) {
     margin_ = balls.size() > 0 ? skin * *std::min_element(balls.radius.begin(), balls.radius.end()) : 0.0;
-    std::vector<double> reach(balls.size());  // a law's range is taken to grow with the smaller radius of the pair
+    const double reach = margin_ + more;
+    const auto index = [](std::size_t i) { return std::array<std::size_t, 1>{i}; };
+    const auto ball_overlap = [&, this](std::size_t i, std::size_t j) {
+      return ball_motion().template at<double>(index(i), index(j)).geometry.overlap;
+    };
+    const auto wall_overlap = [&, this](std::size_t w, std::size_t b) {
+      return wall_motion().template at<double>(index(w), index(b)).geometry.overlap;
+    };
     std::vector<Pair> at_walls;
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-      reach[b] = ball_law.interaction_range(twins(balls.side[b])) + margin_;
-      const double reach_of_wall = wall_law.interaction_range(twins(balls.side[b])) + margin_;
-      for (std::size_t w = 0; w < walls.size(); ++w)
-        if (-wall_meets_ball().overlap(w, b) <= reach_of_wall)
-          at_walls.push_back({static_cast<int>(w), static_cast<int>(b)});
-    }
+    for (std::size_t w = 0; w < walls.size(); ++w)
+      for (std::size_t b = 0; b < balls.size(); ++b)
+        if (-wall_overlap(w, b) <= reach) at_walls.push_back({static_cast<int>(w), static_cast<int>(b)});
     ball_contacts.list(
-        ball_law, find_neighbours(balls.position, balls.radius, reach), margin_, balls.size(), balls.size(),
+        ball_law, find_neighbours(balls.position, balls.radius, reach), reach, balls.size(), balls.size(),
         [this](std::size_t i, std::size_t j) { return contactlaws::pair_properties(balls.side[i], balls.side[j]); },
-        [this](std::size_t i, std::size_t j) { return balls_meet().overlap(i, j); });
+        ball_overlap);
     wall_contacts.list(
-        wall_law, at_walls, margin_, walls.size(), balls.size(),
+        wall_law, at_walls, reach, walls.size(), balls.size(),
         [this](std::size_t w, std::size_t b) { return contactlaws::pair_properties(walls[w].side, balls.side[b]); },
-        [this](std::size_t w, std::size_t b) { return wall_meets_ball().overlap(w, b); });
+        wall_overlap);
     listed_at_ = balls.position;
     for (const Wall& wall : walls) listed_at_.push_back(wall.point);
   }
 
   // Forces ------------------------------------------------------------------------------------------------------------
 
-  BallsMeet balls_meet() const { return {balls, last_dt_}; }
-  WallMeetsBall wall_meets_ball() const { return {walls, balls, last_dt_}; }
+  BallMotion ball_motion() const { return {balls, contact_dt}; }
+  WallMotion wall_motion() const { return {walls, balls, contact_dt}; }
 
-  void find_forces(double dt) {
-    last_dt_ = dt;
+  void compute_forces(double dt) {
+    contact_dt = dt;
     ball_contacts.begin_step();
     wall_contacts.begin_step();
-    in_parallel(threads, ball_contacts.size(), lanes<BallPack>, [this](std::size_t first, std::size_t last) {
-      ball_contacts.ask(ball_law, balls_meet(), first, last);
+    in_parallel(threads, ball_contacts.size(), ball_contacts.lanes, [this](std::size_t first, std::size_t last) {
+      ball_contacts.evaluate(ball_law, ball_motion(), first, last);
     });
-    wall_contacts.ask(wall_law, wall_meets_ball(), 0, wall_contacts.size());
+    wall_contacts.evaluate(wall_law, wall_motion(), 0, wall_contacts.size());
     in_parallel(threads, balls.size(), 1, [this](std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) {
         Load load;
         ball_contacts.add_second(b, load);  // the other ball has the lower id: in the order of the list
         ball_contacts.add_first(b, load);
         wall_contacts.add_second(b, load);
-        balls.force[b].four() = load.force;
-        balls.moment[b].four() = load.moment(balls.radius[b]);
+        balls.force[b].all() = load.force;
+        balls.torque[b].all() = load.torque;
       }
     });
     for (std::size_t w = 0; w < walls.size(); ++w) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies that confine: planes, held in space or driven at a velocity of their own.
+// Walls: planes, at rest or driven at a prescribed velocity.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace dem {
 
-/// A plane through `point`. Balls belong on the side that `facing` points to.
+/// A plane through `point`. Balls are on the side that `facing` points to.
 struct Wall {
   contactlaws::ContactBody<double> side;  ///< elasticity: contactlaws::plane(material), perhaps .rigid()
   Vec3 point;                             ///< [m]
@@ -23,7 +23,7 @@ struct Wall {
 
 /// @throws std::invalid_argument unless `facing` has a length of 1
 inline void check(const Wall& wall) {
-  // Rounding of a normalised vector stays below 1e-15; a vector that nobody normalised does not.
+  // Rounding errors of a normalised vector are below 1e-15.
   contactlaws::require_in(contactlaws::Range::closed(1.0 - 1e-9, 1.0 + 1e-9), wall.facing.norm(), "Wall",
                           "the length of facing", "1");
 }

@@ -12,6 +12,7 @@ using V = dem::Vec3;
 namespace {
 
 const ElasticMaterial<double> soft{5e6, 0.3, 2500.0};
+constexpr double moisture_gap = 1e-3;
 
 /// `count` balls that rush about in a box: they touch, slide, open and are listed anew.
 template <class Scene>
@@ -28,17 +29,6 @@ void fill(Scene& scene, int count) {
   scene.gravity = {0.0, 0.0, -9.81};
   scene.skin = 0.1;
   scene.time_step = 5e-6;
-}
-
-/// Makes every contact of a law with a bridge wet.
-template <class Scene>
-void wet_all(Scene& scene) {
-  scene.start();
-  for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {
-    auto state = scene.ball_contacts.state(c);
-    state.moisture = 2.0;
-    scene.ball_contacts.set_state(c, state);
-  }
 }
 
 template <class One, class Other>
@@ -93,7 +83,7 @@ TEST_CASE("the law asked again about one contact says what its pack was told") {
 TEST_CASE("a wet contact differs from its pack by the rounding of exp alone") {
   dem::Simulation<Hill<double>> scene(test::hill<double>(0.4, 1e3, 0.1));
   fill(scene, 64);
-  wet_all(scene);
+  scene.make_wet(moisture_gap);
   int pulling = 0;
   for (int step = 0; step < 500; ++step) {
     scene.step();
@@ -113,13 +103,13 @@ TEST_CASE("any number of threads gives the same bits") {
   const Hill<double> law = test::hill<double>(0.4, 1e3, 0.1);
   dem::Simulation<Hill<double>> alone(law);
   fill(alone, 61);
-  wet_all(alone);
+  alone.make_wet(moisture_gap);
   for (int step = 0; step < 500; ++step) alone.step();
   for (const int threads : {2, 3, 100}) {
     dem::Simulation<Hill<double>> shared(law);
     fill(shared, 61);
     shared.threads = threads;
-    wet_all(shared);
+    shared.make_wet(moisture_gap);
     for (int step = 0; step < 500; ++step) shared.step();
     CHECK(largest_difference(alone, shared) == 0.0);
     for (std::size_t w = 0; w < alone.walls.size(); ++w) CHECK(alone.walls[w].force == shared.walls[w].force);

@@ -117,7 +117,7 @@ inline Bodies at_rest(Bodies bodies) {
   return bodies;
 }
 
-inline constexpr const char* path_header = "dt,overlap,nx,ny,nz,vx,vy,vz,spin,wx,wy,wz";
+inline constexpr const char* path_header = "dt,overlap,nx,ny,nz,vx,vy,vz,normal_spin,wx,wy,wz";
 
 /// PATH.csv of examples/contact_path.
 inline void write_path(std::ostream& out, const Path& path) {
