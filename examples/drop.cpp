@@ -132,7 +132,7 @@ void advance(Scene& scene, double dt) {
 
 /// An open box, and above its floor layers of 4 x 4 balls with gaps between them.
 Scene make_scene(int count) {
-  HillProperties<double> properties;
+  DryHillProperties<double> properties;
   properties.friction = 0.4;
   properties.damping_constant = 0.2;
   Scene scene{dry_hill(properties), {}, {}, {}, {}};

@@ -24,9 +24,8 @@ inline void write_grains(OutputFolder& folder, const std::string& name, const de
 inline void grain_assembly(OutputFolder& folder, CheckedNumbers& numbers) {
   constexpr double radius = 5e-3, edge = 50e-3;  // the memo gives no size for the box
   contactlaws::LinearFriction<double> at_walls = linear_law(friction);
-  at_walls.normal.modulus = 29e6;
-  dem::Simulation<contactlaws::Hill<double>, contactlaws::LinearFriction<double>> scene(
-      contactlaws::hill<double>({friction, suction, damping_constant}), at_walls);
+  at_walls.normal.modulus = 29e6;  // [Pa]
+  dem::Simulation<contactlaws::Hill<double>, contactlaws::LinearFriction<double>> scene(damped_hill_law(), at_walls);
   scene.gravity = {0.0, 0.0, -9.81};
   scene.local_damping = local_damping;
   for (const dem::Wall& wall : dem::box_of_walls(contactlaws::plane(granite), Vec3::Zero(), Vec3::Constant(edge)))

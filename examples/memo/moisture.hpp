@@ -42,7 +42,7 @@ class MoistureProblem {
   }
 
  private:
-  TwoGrains<Law> grains_{contactlaws::hill<double>({friction, suction, damping_constant})};
+  TwoGrains<Law> grains_{damped_hill_law()};
   Table path_{"figure", "time_s", "gap_m", "surface_force_N", "moisture_force_N", "wet", "released"};
 
   bool wet() const {
