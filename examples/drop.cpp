@@ -198,7 +198,7 @@ int run(const std::string& folder_name, int count, double time) {
   const int steps = static_cast<int>(std::ceil(time / frames / safe_time_step(scene)));  // from frame to frame
   for (int frame = 0; frame <= frames; ++frame) {
     for (int i = 0; frame > 0 && i < steps; ++i) {
-      if (common::stop_requested()) return common::stop_status();
+      common::stop_if_requested();
       advance(scene, time / frames / steps);
     }
     double fastest = 0.0;

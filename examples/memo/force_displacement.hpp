@@ -9,7 +9,7 @@
 
 namespace memo {
 
-constexpr double no_limit = 1000.0;  ///< a friction that limits nothing; the memo's own choice [1]
+constexpr double no_limit = 1000.0;  ///< a friction so large that nothing slides; the memo's value [1]
 
 inline contactlaws::LinearFriction<double> linear_law(double mu) {
   contactlaws::LinearFrictionProperties<double> properties;
@@ -25,7 +25,7 @@ inline contactlaws::Hill<double> hill_law(double mu) {
   return law;
 }
 
-/// The two grains after stage A, down by 0.1 mm, and stage B, the top grain turned by 0.02 rad. The path goes to a CSV file.
+/// The two grains after stage A, down by 0.1 mm, and stage B, the top grain turned by 0.02 rad. The path is written as CSV.
 template <class Law>
 TwoGrains<Law> stages_a_and_b(const Law& law, std::ostream& csv) {
   constexpr int steps = 200;
@@ -62,7 +62,7 @@ inline void force_displacement(OutputFolder& folder, CheckedNumbers& numbers) {
   numbers.push_back({two + "hill.shear_unlimited", "N", 1.4783e3, expected::hill_shear_unlimited,
                      hill_unlimited.read().shear_force, prescribed});
 
-  // The dashpots are switched on only now, so that the forces so far owe nothing to them. One step of motion, one of rest.
+  // The dashpots are switched on only now, so they did not contribute to the forces above. One step of motion, one of rest.
   const auto nothing = [] {};
   hill.scene.ball_law.damping.damping_constant = damping_constant;
   hill.run({0.0, 0.0, -100.0}, Vec3::Zero(), 1, nothing);

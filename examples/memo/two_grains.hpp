@@ -13,7 +13,7 @@ namespace memo {
 
 using common::CheckedNumbers;
 using common::OutputFolder;
-using common::stop_requested;
+using common::stop_if_requested;
 using common::Table;
 using dem::Vec3;
 
@@ -82,7 +82,8 @@ class TwoGrains {
   template <class Record>
   void run(const Vec3& velocity, const Vec3& spin, int steps, const Record& record) {
     scene.drive(top, velocity, spin);
-    for (int i = 0; i < steps && !stop_requested(); ++i) {
+    for (int i = 0; i < steps; ++i) {
+      stop_if_requested();
       scene.step();
       const auto motion = scene.ball_contact(0).motion;
       displaced_ += (motion.velocity - motion.normal * motion.velocity.dot(motion.normal)).norm() * motion.dt;

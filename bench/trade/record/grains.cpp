@@ -41,7 +41,7 @@ int record(const std::string& name) {
   common::Progress progress("record_grains");
   constexpr int steps = 600;
   for (int step = 0; step < steps; ++step) {
-    if (common::stop_requested()) return common::stop_status();
+    common::stop_if_requested();
     scene.step();
     for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {
       const auto motion = scene.ball_contact(c).motion;
