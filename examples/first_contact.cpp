@@ -8,8 +8,8 @@ int main() {
   using namespace contactlaws;
   const ElasticMaterial<double> granite{29e9, 0.15, 2650.0};  // E [Pa], nu [1], density [kg/m^3]
   DryHillProperties<double> properties;
-  properties.friction = 0.4;  // [1]; no dashpots
-  const DryHill<double> law = dry_hill(properties);
+  properties.friction = 0.4;
+  const auto law = dry_hill(properties);
   const auto pair = pair_properties(sphere(granite, 7.5e-3), sphere(granite, 5e-3));  // radii [m]
 
   const Vec3<double> up(0.0, 0.0, 1.0), sideways(0.01, 0.0, 0.0);

@@ -141,7 +141,8 @@ StepErrors step_errors(const std::string& name, const Law& law) {
   StepErrors result{name, cost(law), {}};
   for (int decade = 10; decade <= 1000000; decade *= 10) {
     for (const int steps : {decade, 2 * decade, 5 * decade}) {
-      if (steps > 1000000 || common::stop_requested()) break;
+      if (steps > 1000000) break;
+      common::stop_if_requested();
       typename Law::State state{};
       result.error.emplace_back(steps, move(law, state, 0.0, 10e-6, steps) / expected::virgin_force_10um - 1.0);
     }
@@ -202,7 +203,8 @@ std::pair<Peaks, Peaks> write_ratchet(common::OutputFolder& folder, const Done& 
   Peaks first{}, last{};
   constexpr long cycles = 1000000;
   long next = 1;
-  for (long cycle = 1; cycle <= cycles && !common::stop_requested(); ++cycle) {
+  for (long cycle = 1; cycle <= cycles; ++cycle) {
+    common::stop_if_requested();
     constexpr int steps = 25;
     last = {move(closed, closed_apart, 0.0, peak, 1), move(increments, apart, 0.0, peak, steps),
             move(increments, held, cycle == 1 ? 0.0 : at_1N, peak, steps)};
@@ -244,7 +246,6 @@ int run(const std::string& directory) {
     trade = write_trade(folder, [&progress](double done) { progress.at(0.2 * done); });
     peaks = write_ratchet(folder, [&progress](double done) { progress.at(0.2 + 0.8 * done); });
   }
-  if (common::stop_requested()) return common::stop_status();
   folder.complete();
   print("Ballast (Tolomeo & McDowell 2022)", numbers);
   print(trade);

@@ -83,8 +83,15 @@ class InterruptGuard {
   void (*on_terminate_)(int);
 };
 
-/// Whether a signal requested a stop. Loops over steps check this and end early.
+/// Whether a signal requested a stop.
 inline bool stop_requested() { return detail::stop_signal != 0; }
+
+/// Ends a run whose results would be incomplete; run_program() catches it.
+struct Stopped {};
+/// What loops over steps call. @throws Stopped
+inline void stop_if_requested() {
+  if (stop_requested()) throw Stopped();
+}
 /// The exit status of a program that was stopped: 128 + signal, so 130 after Ctrl-C.
 inline int stop_status() { return 128 + detail::stop_signal; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // 27 grains in cubic packing fall onto the bottom of a box and come to rest: hill law between grains, linear law at walls
-// (Figure 17). Packed exactly one above the other, they come to rest so: nothing tips the columns.
+// (Figure 17). The grains stand exactly one above the other and come to rest so, since no force acts sideways.
 #pragma once
 
 #include <string>
@@ -22,11 +22,10 @@ inline void write_grains(OutputFolder& folder, const std::string& name, const de
 }
 
 inline void grain_assembly(OutputFolder& folder, CheckedNumbers& numbers) {
-  constexpr double radius = 5e-3, edge = 50e-3;  // the memo gives no size for the box
+  constexpr double radius = 5e-3, edge = 50e-3;  // [m]; the memo gives no size for the box
   contactlaws::LinearFriction<double> at_walls = linear_law(friction);
-  at_walls.normal.modulus = 29e6;
-  dem::Simulation<contactlaws::Hill<double>, contactlaws::LinearFriction<double>> scene(
-      hill_law(friction, damping_constant), at_walls);
+  at_walls.normal.modulus = 29e6;  // [Pa]
+  dem::Simulation<contactlaws::Hill<double>, contactlaws::LinearFriction<double>> scene(damped_hill_law(), at_walls);
   scene.gravity = {0.0, 0.0, -9.81};
   scene.local_damping = local_damping;
   for (const dem::Wall& wall : dem::box_of_walls(contactlaws::plane(granite), Vec3::Zero(), Vec3::Constant(edge)))

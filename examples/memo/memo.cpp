@@ -33,7 +33,7 @@ int run(const std::string& directory) {
     common::Progress progress("the memo's problems");
     for (std::size_t i = 0; i < problems.size(); ++i) {
       problems[i]();
-      if (common::stop_requested()) return common::stop_status();
+      common::stop_if_requested();
       progress.at(static_cast<double>(i + 1) / static_cast<double>(problems.size()));
     }
   }

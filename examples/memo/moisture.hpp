@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The life of a liquid bridge between the two grains (Figures 13 to 16): rest, pull and release, pull to rupture, come back
-// and wet again, release. Gravity is off, since the memo balances the bridge against the surface force alone; the top
-// grain's weight would press it 4 nm deeper.
+// and wet again, release. Without gravity, since the memo's equilibrium is between bridge and surface force alone; the top
+// grain's weight would add 4 nm of overlap.
 #pragma once
 
 #include <string>
@@ -42,7 +42,7 @@ class MoistureProblem {
   }
 
  private:
-  TwoGrains<Law> grains_{hill_law(friction, damping_constant)};
+  TwoGrains<Law> grains_{damped_hill_law()};
   Table path_{"figure", "time_s", "gap_m", "surface_force_N", "moisture_force_N", "wet", "released"};
 
   bool wet() const {
@@ -76,12 +76,12 @@ class MoistureProblem {
     }
   }
 
-  /// Lets the top grain go, until it rests. Returns the overlap [m].
+  /// Releases the top grain and runs to equilibrium. Returns the overlap [m].
   double release(int figure) {
     auto& scene = grains_.scene;
     scene.local_damping = local_damping;
     scene.release(grains_.top);
-    // The bridge throws the grains together at some m/s: steps short enough to follow that impact.
+    // The bridge accelerates the grains to some m/s before they touch: short steps resolve that impact.
     dem::settle(scene, {1e-9, 0.02, 1000000}, [&] {
       if (scene.steps % 10 == 0) record(figure, true);
     });
@@ -95,18 +95,20 @@ class MoistureProblem {
     constexpr int steps = 1000;
     scene.time_step = std::abs(target - gap()) / steps;
     scene.drive(grains_.top, {0.0, 0.0, target > gap() ? 1.0 : -1.0});
-    for (int i = 0; i < steps && !stop_requested(); ++i) {
+    for (int i = 0; i < steps; ++i) {
+      stop_if_requested();
       scene.step();
       record(figure, false);
     }
   }
 
-  /// Moves the top grain up until the bridge ruptures, with ever shorter steps so as not to pass that gap. Returns it [m].
+  /// Moves the top grain up until the bridge ruptures, halving the step where it would pass that gap. Returns the gap [m].
   double pull_to_rupture() {
     auto& scene = grains_.scene;
     scene.drive(grains_.top, Vec3::UnitZ());
     scene.time_step = 1e-5;
-    while (scene.time_step > 1e-15 && !stop_requested()) {  // at 1 m/s: 1e-13 of the gap
+    while (scene.time_step > 1e-15) {  // at 1 m/s: 1e-13 of the gap
+      stop_if_requested();
       const auto before = scene;
       scene.step();
       if (wet()) {

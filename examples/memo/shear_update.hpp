@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What becomes of the shear force when the overlap changes: the memo's Appendix A (Figure 23), and the same path through the
-// four laws that are all called Hertz-Mindlin.
+// The shear force when the overlap changes: the memo's Appendix A (Figure 23), and one path with the four laws that are all
+// called Hertz-Mindlin.
 #pragma once
 
 #include <string>
@@ -29,14 +29,14 @@ double shear_then_press(std::ostream& csv) {
   TwoGrains<Law> grains(with_friction<Law>(10.0));
   Table path{"overlap_m", "shear_displacement_m", "shear_force_N"};
   const auto record = [&] {
-    path.add({-grains.sight().gap, grains.sight().shear_displacement, grains.sight().shear_force});
+    path.add({-grains.read().gap, grains.read().shear_displacement, grains.read().shear_force});
   };
   grains.lift(-depth, steps, record);
   grains.spin(turn, steps, record);
-  const double sheared = grains.sight().shear_force;
+  const double sheared = grains.read().shear_force;
   grains.lift(-depth, steps, record);
   path.write_csv(csv);
-  return grains.sight().shear_force / sheared;
+  return grains.read().shear_force / sheared;
 }
 
 inline void appendix_a(OutputFolder& folder, CheckedNumbers& numbers) {
@@ -55,10 +55,10 @@ inline void appendix_a(OutputFolder& folder, CheckedNumbers& numbers) {
        prescribed});
 }
 
-/// The path of the eight laws: press by 0.1 mm, then carry the top grain round the bottom grain, at constant overlap, until
-/// the surfaces are sheared by 99.0 um.
+/// The path of the eight laws: press by 0.1 mm, then move the top grain on an arc about the bottom grain, at constant overlap,
+/// to a shear displacement of 99.0 um.
 template <class Law>
-TwoGrains<Law> press_and_go_round(double mu) {
+TwoGrains<Law> press_and_shear_on_arc(double mu) {
   constexpr int steps = 1000;
   TwoGrains<Law> grains(with_friction<Law>(mu));
   const auto nothing = [] {};
@@ -84,20 +84,20 @@ void one_of_eight_laws(const std::string& name, const Force& backed_off, const F
                        CheckedNumbers& numbers) {
   constexpr int steps = 1000;
   const auto nothing = [] {};
-  auto grains = press_and_go_round<Law>(10.0);
+  auto grains = press_and_shear_on_arc<Law>(10.0);
   const auto row = [&](const char* what, const Force& force, double computed) {
     numbers.push_back({"eight_laws." + name + "." + what, "N", force.published, force.expected, computed, along_arc});
   };
-  row("normal_force", {1083.304632, expected::hill_normal_force}, grains.sight().normal_force);
-  row("shear_force", {1478.27164, expected::hill_shear_unlimited}, grains.sight().shear_force);
+  row("normal_force", {1083.304632, expected::hill_normal_force}, grains.read().normal_force);
+  row("shear_force", {1478.27164, expected::hill_shear_unlimited}, grains.read().shear_force);
   row("shear_force_sliding", {433.321853, expected::hill_shear_force},
-      press_and_go_round<Law>(friction).sight().shear_force);
+      press_and_shear_on_arc<Law>(friction).read().shear_force);
 
   const Vec3 outward = grains.scene.balls.position[1].normalized() * (depth / 2.0 / (steps * grains.scene.time_step));
   grains.run(outward, Vec3::Zero(), steps, nothing);
-  row("backed_off", backed_off, grains.sight().shear_force);
+  row("backed_off", backed_off, grains.read().shear_force);
   grains.run(-outward, Vec3::Zero(), steps, nothing);
-  row("returned", returned, grains.sight().shear_force);
+  row("returned", returned, grains.read().shear_force);
 }
 
 /// The published figures are those of LAMMPS on this path: mindlin/force, mindlin_rescale/force, mindlin, mindlin_rescale.

@@ -13,7 +13,7 @@ namespace memo {
 
 using common::CheckedNumbers;
 using common::OutputFolder;
-using common::stop_requested;
+using common::stop_if_requested;
 using common::Table;
 using dem::Vec3;
 
@@ -35,19 +35,20 @@ constexpr double top_radius = 5e-3;        ///< [m]
 constexpr double depth = 0.1e-3;           ///< overlap at the end of stage A [m]
 constexpr double turn = 0.02;              ///< of the top grain in stage B [rad]
 
-inline contactlaws::Hill<double> hill_law(double mu, double alpha = 0.0) {
+/// The hill law with all of the memo's properties.
+inline contactlaws::Hill<double> damped_hill_law() {
   contactlaws::HillProperties<double> properties;
-  properties.friction = mu;
+  properties.friction = friction;
   properties.suction = suction;
-  properties.damping_constant = alpha;
-  return contactlaws::hill(properties);
+  properties.damping_constant = damping_constant;
+  return hill(properties);
 }
 
-/// The contact as a person would measure it.
-struct Sight {
+/// Gap, displacement and forces at the contact.
+struct ContactReading {
   double gap;                 ///< [m], negative when overlapping
   double normal_force;        ///< compression > 0 [N]
-  double shear_displacement;  ///< slid by the surfaces so far [m]
+  double shear_displacement;  ///< tangential displacement so far [m]
   double shear_force;         ///< [N]
 };
 
@@ -68,36 +69,37 @@ class TwoGrains {
   }
 
   /// Moves the top grain up (or down, < 0) by `distance` [m] in so many steps.
-  template <class Watch>
-  void lift(double distance, int steps, const Watch& watch) {
-    run({0.0, 0.0, distance / (steps * scene.time_step)}, Vec3::Zero(), steps, watch);
+  template <class Record>
+  void lift(double distance, int steps, const Record& record) {
+    run({0.0, 0.0, distance / (steps * scene.time_step)}, Vec3::Zero(), steps, record);
   }
   /// Turns the top grain about its own centre by `angle` [rad] in so many steps.
-  template <class Watch>
-  void spin(double angle, int steps, const Watch& watch) {
-    run(Vec3::Zero(), {0.0, angle / (steps * scene.time_step), 0.0}, steps, watch);
+  template <class Record>
+  void spin(double angle, int steps, const Record& record) {
+    run(Vec3::Zero(), {0.0, angle / (steps * scene.time_step), 0.0}, steps, record);
   }
   /// The top grain at this velocity [m/s] and spin [rad/s], for so many steps.
-  template <class Watch>
-  void run(const Vec3& velocity, const Vec3& spin, int steps, const Watch& watch) {
+  template <class Record>
+  void run(const Vec3& velocity, const Vec3& spin, int steps, const Record& record) {
     scene.drive(top, velocity, spin);
-    for (int i = 0; i < steps && !stop_requested(); ++i) {
+    for (int i = 0; i < steps; ++i) {
+      stop_if_requested();
       scene.step();
       const auto motion = scene.ball_contact(0).motion;
-      slid_ += (motion.velocity - motion.normal * motion.velocity.dot(motion.normal)).norm() * motion.dt;
-      watch();
+      displaced_ += (motion.velocity - motion.normal * motion.velocity.dot(motion.normal)).norm() * motion.dt;
+      record();
     }
   }
 
-  Sight sight() const {
+  ContactReading read() const {
     const auto contact = scene.ball_contact(0);
     const Vec3& n = contact.geometry.normal;
     const Vec3& force = contact.response.force;
-    return {-contact.geometry.overlap, force.dot(n), slid_, (force - n * force.dot(n)).norm()};
+    return {-contact.geometry.overlap, force.dot(n), displaced_, (force - n * force.dot(n)).norm()};
   }
 
  private:
-  double slid_ = 0.0;
+  double displaced_ = 0.0;
 };
 
 }  // namespace memo

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
+#include "make_laws.hpp"
 #include "examples/dem/checkpoint.hpp"
 #include "examples/dem/measures.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 const ElasticMaterial<double> soft{1e8, 0.25, 2500.0};
 const ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
 
-DryHill<double> sticky() { return dry_hill<double>({10.0, 0.0, 0.05}); }
+DryHill<double> sticky() { return test::dry_hill<double>(10.0, 0.05); }
 
 /// Two balls on a floor and one held beside them.
 dem::Simulation<DryHill<double>> pile() {
@@ -91,7 +92,7 @@ TEST_CASE("a restart gives the same bits, whatever was changed since the scene w
 
 TEST_CASE("a restart keeps wet gaps beyond the skin") {
   const auto build = [] {
-    dem::Simulation<Hill<double>> scene(hill<double>({0.4, 1e3, 0.1}));
+    dem::Simulation<Hill<double>> scene(test::hill<double>(0.4, 1e3, 0.1));
     scene.add(Ball{sphere(soft, 1e-3), V::Zero()});
     scene.add(Ball{sphere(soft, 1e-3), {2.9e-3, 0.0, 0.0}});
     scene.time_step = 1e-6;
@@ -201,7 +202,7 @@ TEST_CASE("a restart keeps the history of a pair that is not listed") {
 
 TEST_CASE("dry gaps of a wet law are neither listed beyond the skin nor counted in the step") {
   const auto build = [] {
-    dem::Simulation<Hill<double>> scene(hill<double>({0.4, 1e3, 0.1}));
+    dem::Simulation<Hill<double>> scene(test::hill<double>(0.4, 1e3, 0.1));
     const double spacing = 10e-3 + 1e-6;  // gaps of 1 um to six neighbours, 4.1 mm to the next
     for (int x = 0; x < 3; ++x)
       for (int y = 0; y < 3; ++y)
@@ -209,7 +210,7 @@ TEST_CASE("dry gaps of a wet law are neither listed beyond the skin nor counted 
     return scene;
   };
   auto dry = build(), wet = build();
-  dem::Simulation<DryHill<double>> never_wet(dry_hill<double>({0.4, 0.0, 0.1}));
+  dem::Simulation<DryHill<double>> never_wet(test::dry_hill<double>(0.4, 0.1));
   for (const V& x : dry.balls.position) never_wet.add(Ball{sphere(granite, 5e-3), x});
   CHECK(dem::stable_time_step(dry) == dem::stable_time_step(never_wet));
   CHECK(dry.ball_contacts.size() == never_wet.ball_contacts.size());
