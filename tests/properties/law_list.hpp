@@ -44,11 +44,12 @@ void visit_each_slot(const Visit& visit) {
   const Slots s{};
   visit("SmoothHertz", 0, SmoothHertz<T>{});
   visit("DryHill", 3, dry_hill<T>(0.4, 0.07));
-  visit("Hill clipped", 4, Hill<T, Tension::clipped>{s.hertz, s.clipped, {s.mindlin, 0.4}, s.wet});
-  visit("LinearFriction", 3, LinearFriction<T>{s.modulus, s.undamped, {s.ratio, 0.4}, s.dry});
-  visit("LinearSpringDashpot", 3, LinearSpringDashpot<T>{s.spring, s.damped, {s.ratio, 0.4}, s.dry});
+  visit("Hill clipped", 4, compose(s.hertz, s.clipped, ShearForce<T>{s.mindlin, 0.4}, s.wet));
+  visit("LinearFriction", 3, compose(s.modulus, s.undamped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.4}, s.dry));
+  visit("LinearSpringDashpot", 3, compose(s.spring, s.damped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.4}, s.dry));
   visit("RoughBallast", 4,
-        RoughBallast<T>{PohrtPopovElastoPlastic<T>::of(s.ballast), s.undamped, {s.ratio, 0.7}, s.dry});
+        compose(PohrtPopovElastoPlastic<T>::of(s.ballast), s.undamped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.7},
+                s.dry));
   visit("Rough elastic damped", 3,
         compose(PohrtPopov<T>::of(s.ballast), s.damped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.7}, s.dry));
   visit("Rough fresh wet", 2, compose(PohrtPopovElastoPlastic<T>::of(s.ballast), s.clipped, s.smooth, s.wet));
@@ -76,10 +77,10 @@ void visit_laws(const Visit& visit) {
   using rotation::Project, rotation::Rotate;
   const Slots s{};
   visit_each_slot(visit);
-  visit("DryHill clipped", 3, DryHill<T, Tension::clipped>{s.hertz, s.clipped, {s.mindlin, 0.4}, s.dry});
+  visit("DryHill clipped", 3, compose(s.hertz, s.clipped, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("Hill", 4, hill<T>(0.4, 2e5, 0.07));
   visit("LinearSpringDashpot clipped", 3,
-        LinearSpringDashpot<T, Tension::clipped>{s.spring, s.clipped, {s.ratio, 0.4}, s.dry});
+        compose(s.spring, s.clipped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.4}, s.dry));
   visit("Hertz damped", 0, compose(s.hertz, s.damped, s.smooth, s.dry));
   visit("Hertz wet", 1, compose(s.hertz, s.undamped, s.smooth, s.wet));
   visit("Linear damped wet", 1, compose(s.modulus, s.clipped, s.smooth, s.wet));
