@@ -62,8 +62,7 @@ def complaints(header, name, includes):
             if own and not scalars:
                 includes[name].add(own.group(1))
                 below = layer_of(own.group(1))
-                folder = name.rpartition("/")[0]
-                same_folder = folder and own.group(1).rpartition("/")[0] == folder
+                same_folder = "/" in name and own.group(1).split("/")[0] == name.split("/")[0]
                 if below is None or below > layer_of(name) or (below == layer_of(name) and not same_folder):
                     yield number, f"includes {file}, which does not lie below it"
             if not own and not scalars and not STANDARD_OR_EIGEN.match(file):
