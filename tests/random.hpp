@@ -25,7 +25,8 @@ inline constexpr bool sanitized = false;
 /// How many random cases to try: sanitizers look for other things than rare digits, and are slow.
 constexpr int cases(int wanted) { return sanitized ? (wanted + 19) / 20 : wanted; }
 
-/// The standard fixes the engine's numbers but not its distributions', so these are our own.
+/// The standard fixes the engine's numbers but not its distributions', so these are our own. Draw one number a statement:
+/// compilers evaluate the arguments of a call, and the sides of an operator, in different orders.
 struct Random {
   std::mt19937_64 engine;
 
@@ -35,12 +36,14 @@ struct Random {
     return low + (high - low) * std::ldexp(static_cast<double>(engine() >> 11), -53);
   }
   double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+  /// An integer of [low, high].
+  int integer(int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); }
   bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
 
   /// Log-uniform from 2^low to 2^(high+1), denormal where the exponent says so; one in eight at the edge of a binade.
   template <class T>
   T binary(int low, int high) {
-    const int exponent = low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1));
+    const int exponent = integer(low, high);
     T mantissa = T(1) + std::ldexp(static_cast<T>(engine() >> 11), -53);
     const auto edge = engine() % 16;
     if (edge == 0) mantissa = T(1);
@@ -50,7 +53,9 @@ struct Random {
 
   Vec3<double> direction() {
     for (;;) {
-      const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);  // one by one: arguments have no order
+      const double x = uniform(-1, 1);
+      const double y = uniform(-1, 1);
+      const double z = uniform(-1, 1);
       const Vec3<double> v(x, y, z);
       const double square = v.squaredNorm();
       if (square > 0.01 && square < 1.0) return v / std::sqrt(square);
@@ -74,9 +79,10 @@ PairProperties<T> granite_pair() {
 /// A pair of grains from a micrometre to a metre, from gel to steel.
 inline PairProperties<double> random_pair(Random& random) {
   const auto side = [&random] {
-    const ElasticMaterial<double> material{random.log_uniform(1e5, 4e11), random.uniform(-0.5, 0.5),
-                                           random.log_uniform(500.0, 20000.0)};
-    return sphere(material, random.log_uniform(1e-6, 1.0));
+    const double young = random.log_uniform(1e5, 4e11);
+    const double poisson = random.uniform(-0.5, 0.5);
+    const double density = random.log_uniform(500.0, 20000.0);
+    return sphere(ElasticMaterial<double>{young, poisson, density}, random.log_uniform(1e-6, 1.0));
   };
   const auto first = side();
   const auto second = side();
@@ -86,13 +92,12 @@ inline PairProperties<double> random_pair(Random& random) {
 /// Properties that no pair has, for tests of accuracy: each log-uniform over many binades.
 template <class T>
 PairProperties<T> wide_pair(Random& random) {
+  const T radius = random.binary<T>(-30, 8);
+  const T young = random.binary<T>(10, 40);
+  const T shear = random.binary<T>(10, 40);
+  const T mass = random.binary<T>(-60, 20);
   const T min_radius = random.binary<T>(-30, 8);
-  return {random.binary<T>(-30, 8),
-          random.binary<T>(10, 40),
-          random.binary<T>(10, 40),
-          random.binary<T>(-60, 20),
-          min_radius,
-          min_radius * random.binary<T>(0, 6)};
+  return {radius, young, shear, mass, min_radius, min_radius * random.binary<T>(0, 6)};
 }
 
 /// log2 of the smallest number of T.

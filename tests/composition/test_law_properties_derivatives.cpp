@@ -1,42 +1,58 @@
 // Derivatives by autodiff: each law's value with derivatives equals the plain one, and the derivatives are its stiffness.
-#include "contactlaws/scalars/autodiff.hpp"
-
 #include <new>
 
-#include "law_properties.hpp"
+#include "catch.hpp"
+#include "properties/dual.hpp"
+#include "properties/paths.hpp"
 
 namespace contactlaws::test {
 namespace {
-
-constexpr int inputs = 9;  // normal, overlap, velocity, dt, spin
-using Gradient = Eigen::Matrix<double, inputs, 1>;
-using Dual = Eigen::AutoDiffScalar<Gradient>;
 
 template <class T>
 T& input(ContactKinematics<T>& kinematics, int i) {
   if (i < 3) return kinematics.normal[i];
   if (i == 3) return kinematics.overlap;
   if (i < 7) return kinematics.velocity[i - 4];
-  return i == 7 ? kinematics.dt : kinematics.normal_spin;
+  if (i == 7) return kinematics.dt;
+  return i == 8 ? kinematics.normal_spin : kinematics.relative_spin[i - 9];
 }
 
 Vec3<double> values(const Vec3<Dual>& v) { return {v.x().value(), v.y().value(), v.z().value()}; }
 
+/// Calls `visit(law, the same law with derivatives, generator)` for each law on T.
+template <class T, class Visit>
+void for_each_law(const char* property, const Visit& visit) {
+  const auto laws = all_laws<T>();
+  const auto duals = all_laws<Dual>();
+  for (const auto& dual : duals) {
+    INFO(dual->name);
+    Random random = random_for(property, dual->name);
+    visit(law_named(dual->name, laws), *dual, random);
+  }
+}
+
+/// The state after all steps of the path but the last.
+template <class T>
+typename ErasedLaw<T>::State before_last(const ErasedLaw<T>& law, const Path& path) {
+  auto state = start(law, path);
+  for (std::size_t i = 0; i + 1 < path.steps.size(); ++i)
+    state = law.step(path.pair.cast<T>(), path.steps[i].template cast<T>(), state).state;
+  return state;
+}
+
 }  // namespace
 
 TEST_CASE("a step with derivatives has the values of the plain step, bit for bit") {
-  visit_laws([](const char* name, std::size_t, const auto& law) {
-    INFO(name);
-    const auto differentiable = law.template cast<Dual>();
-    Random random;
+  for_each_law<double>("values", [](const auto& law, const auto& differentiable, Random& random) {
     for (int i = 0; i < cases(20); ++i) {
       const Path path = random_path(random, 6);
-      auto state = start<std::decay_t<decltype(law)>>(path);
-      auto dual_state = start<std::decay_t<decltype(differentiable)>>(path);
+      auto state = start(law, path);
+      auto dual_state = start(differentiable, path);
       for (const auto& kinematics : path.steps) {
         const auto step = law.step(path.pair, kinematics, state);
         const auto dual = differentiable.step(path.pair.cast<Dual>(), kinematics.template cast<Dual>(), dual_state);
         CHECK((values(dual.force) == step.force));
+        CHECK((values(dual.couple) == step.couple));
         CHECK(dual.sliding == step.sliding);
         CHECK(dual.active == step.active);
         state = step.state;
@@ -47,25 +63,26 @@ TEST_CASE("a step with derivatives has the values of the plain step, bit for bit
 }
 
 TEST_CASE("a virgin state is zero, though a number with derivatives leaves itself unset") {
-  visit_laws([](const char* name, std::size_t, const auto& law) {
-    INFO(name);
-    using Law = std::decay_t<decltype(law.template cast<Dual>())>;
+  using Turning = ContactLaw<Hertz<Dual>, NoDashpots<Dual>,
+                             ShearForceRescaled<Dual, Mindlin<Dual>, rotation::Rotate<Dual>>, SuctionBridge<Dual>>;
+  using Yielding = ContactLaw<PohrtPopovElastoPlastic<Dual>>;
+  const auto is_zero = [](const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
     alignas(typename Law::State) unsigned char memory[sizeof(typename Law::State)];
     for (volatile unsigned char& byte : memory) byte = 0x41;
-    const Dual* const values = reinterpret_cast<Dual*>(new (memory) typename Law::State{});
-    for (std::size_t i = 0; i < Law::state_size; ++i) {
-      CHECK(values[i].value() == 0.0);
-      CHECK(values[i].derivatives().isZero(0.0));
+    Dual stored[Law::state_size];
+    Law::store(*new (memory) typename Law::State{}, stored);
+    for (const Dual& value : stored) {
+      CHECK(value.value() == 0.0);
+      CHECK(value.derivatives().isZero(0.0));
     }
-  });
+  };
+  is_zero(Turning{});
+  is_zero(Yielding{});
 }
 
 TEST_CASE("derivatives by autodiff are those of the force, with respect to every input of a step") {
-  visit_laws([](const char* name, std::size_t, const auto& law) {
-    INFO(name);
-    const auto differentiable = law.template cast<Dual>();
-    const auto precise = law.template cast<long double>();
-    Random random;
+  for_each_law<long double>("derivatives", [](const auto& precise, const auto& differentiable, Random& random) {
     int compared = 0;
     for (int i = 0; i < cases(40); ++i) {
       Path path = random_path(random, 4);
@@ -90,16 +107,22 @@ TEST_CASE("derivatives by autodiff are those of the force, with respect to every
                                  : k == 3 ? std::abs(kinematics.overlap)
                                  : k < 7  ? kinematics.velocity.norm()
                                  : k == 7 ? kinematics.dt
-                                          : 0.1L / kinematics.dt;
+                                 : k == 8 ? 0.1L / kinematics.dt
+                                          : kinematics.relative_spin.norm();
         input(ahead, k) += 1e-5L * size;
         input(behind, k) -= 1e-5L * size;
         const auto forward = precise.step(pair, ahead, state), backward = precise.step(pair, behind, state);
         const bool same_branch = forward.sliding == step.sliding && backward.sliding == step.sliding &&
                                  (forward.normal_force > 0) == (backward.normal_force > 0);
         if (!same_branch) continue;
-        const Vec3<long double> change = (forward.force - backward.force) / 2e-5L;
-        Vec3<long double> expected;
-        for (int c = 0; c < 3; ++c) expected[c] = dual.force[c].derivatives()[k] * size;
+        const long double radius = pair.effective_radius;  // couples as forces
+        Eigen::Matrix<long double, 6, 1> change, expected;
+        change << forward.force - backward.force, (forward.couple - backward.couple) / radius;
+        change /= 2e-5L;
+        for (int c = 0; c < 3; ++c) {
+          expected[c] = dual.force[c].derivatives()[k] * size;
+          expected[3 + c] = dual.couple[c].derivatives()[k] * size / radius;
+        }
         INFO("input " << k << " autodiff " << expected.transpose() << " differences " << change.transpose());
         CHECK((expected - change).norm() <= 1e-6L * (force_scale(step) + change.norm()));
         ++compared;
@@ -110,30 +133,20 @@ TEST_CASE("derivatives by autodiff are those of the force, with respect to every
 }
 
 TEST_CASE("the derivative of the force is the tangent stiffness") {
-  visit_laws([](const char* name, std::size_t, const auto& law) {
-    INFO(name);
-    const auto differentiable = law.template cast<Dual>();
-    using Law = std::decay_t<decltype(differentiable)>;
-    Random random;
+  for_each_law<double>("stiffness", [](const auto& law, const auto& differentiable, Random& random) {
     for (int i = 0; i < cases(20); ++i) {
       const PairProperties<double> pair = random_pair(random);
       const double overlap = pair.effective_radius * random.log_uniform(1e-5, 1e-2);
       ContactKinematics<Dual> contact{{Dual(0), Dual(0), Dual(1)}, Dual(overlap), {Dual(0), Dual(0), Dual(0)}, Dual(1)};
       contact.overlap.derivatives() = Gradient::Unit(0);
       contact.velocity.x().derivatives() = Gradient::Unit(1);  // dt = 1: a shear displacement
-      const auto step = differentiable.step(pair.cast<Dual>(), contact, typename Law::State{});
-
-      typename std::decay_t<decltype(law)>::State state{};
-      const auto normal = law.normal.respond(state, pair, overlap);
-      if (std::string(name) != "Rough incremental")  // whose step goes with the stiffness at its beginning
-        CHECK(step.normal_elastic.derivatives()[0] == Approx(normal.stiffness).epsilon(1e-13));
+      const auto step = differentiable.step(pair.cast<Dual>(), contact, differentiable.virgin());
+      const Tangents<double> tangents = law.tangents(pair, overlap);
+      if (law.name != "Rough incremental")  // whose step goes with the stiffness at its beginning
+        CHECK(step.normal_elastic.derivatives()[0] == Approx(tangents.normal).epsilon(1e-13));
       // What dashpots add for stability is not in the springs.
-      CHECK(law.stiffness(pair, overlap, {}).normal == Approx(normal.max_tangent * law.damping.stiffness_factor()));
-      if constexpr (has_shear<Law>) {
-        const double shear = law.shear.stiffness(pair, normal);
-        const double viscous = law.damping.coefficients(pair.effective_mass, 0.0, shear).shear;
-        CHECK(step.force.x().derivatives()[1] == Approx(-(shear + viscous)).epsilon(1e-13));
-      }
+      CHECK(law.stiffness(pair, overlap, law.virgin()).normal == Approx(tangents.for_time_step));
+      if (law.shears) CHECK(step.force.x().derivatives()[1] == Approx(-tangents.shear).epsilon(1e-13));
     }
   });
 }

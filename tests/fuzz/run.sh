@@ -15,7 +15,7 @@ install_packages make cmake libeigen3-dev catch2 'libboost1.81-dev|libboost-dev'
   libtomlplusplus-dev libcli11-dev clang libclang-rt-dev >&2
 
 build=$PWD/build/fuzz
-cmake --preset debug -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCONTACTLAWS_FUZZ=ON -DCONTACTLAWS_BUILD_BENCH=OFF \
+cmake --preset debug -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCONTACTLAWS_FUZZ=ON -DCONTACTLAWS_ALL_TESTS=ON -DCONTACTLAWS_BUILD_BENCH=OFF \
   -DCONTACTLAWS_BUILD_EXAMPLES=OFF >&2
 cmake --build "$build" -j "$(nproc)" --target fuzz_laws fuzz_law_file fuzz_path_file fuzz_recording_file >&2
 

@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 compiler, *flags = sys.argv[1:]
-root = Path(__file__).resolve().parent.parent
+root = Path(__file__).resolve().parent.parent.parent
 readme = (root / "README.md").read_text()
 shown = readme.split("```cpp\n")[1].split("```")[0]
 said = readme.split("```")[2].strip().split("\n")[0]

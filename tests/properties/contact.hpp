@@ -1,0 +1,111 @@
+// What holds of every step: an open contact pulls by its bridge alone, a closed one pushes and resists motion, friction
+// bounds the shear force, a query changes nothing. Each property is a function that returns a figure, 0 where all is exact;
+// the tests, the fuzzer and the scoreboard call it.
+#pragma once
+
+#include "paths.hpp"
+
+namespace contactlaws::test {
+
+template <class T>
+bool same(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+}
+
+template <class T, class State>
+Vec3<T> shear_part(const Step<T, State>& step, const Vec3<T>& normal) {
+  return step.force - normal * T(step.normal_force - step.bridge_force);
+}
+
+/// How much of a step is wrong at an overlap that is not positive: forces beside the bridge's pull, a couple, a
+/// shear or rolling history kept.
+template <class T>
+int wrong_when_open(const ErasedLaw<T>& law, const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
+                    const Step<T, typename ErasedLaw<T>::State>& step) {
+  const T gap = -kinematics.overlap;
+  int wrong = step.normal_elastic != T(0);
+  wrong += step.normal_force != T(0);
+  wrong += step.sliding;
+  wrong += !same<T>(step.couple, Vec3<T>(T(0), T(0), T(0)));
+  wrong += !same<T>(step.force, kinematics.normal * T(-step.bridge_force));
+  wrong += gap >= law.interaction_range(pair) && gap > T(0) && step.bridge_force != T(0);
+  wrong += step.active != (gap <= T(0) || step.bridge_force > T(0));
+  for (std::size_t i = 0; i < law.state_size(); ++i)
+    wrong += law.state_values[i].kind == ValueKind::vector && step.state[i] != T(0);
+  return wrong;
+}
+/// The same of an instant moved to four gaps.
+template <class T>
+int wrong_when_opened(const ErasedLaw<T>& law, const Instant<T>& now) {
+  const T range = law.interaction_range(now.pair);
+  int wrong = 0;
+  ContactKinematics<T> open = now.kinematics;
+  for (const T& gap : {T(0), T(range / T(2)), range, T(range * T(2) + now.pair.effective_radius)}) {
+    open.overlap = -gap;
+    wrong += wrong_when_open(law, now.pair, open, law.step(now.pair, open, now.state));
+  }
+  return wrong;
+}
+
+/// How much of a step of a virgin contact is wrong where it is closed: springs that do not push, dashpots and shear that
+/// drive the motion, an elastic force that does not grow with the overlap.
+template <class T>
+int wrong_when_closed(const ErasedLaw<T>& law, const Instant<T>& now) {
+  using std::abs;
+  if (!(now.kinematics.overlap > T(0))) return 0;
+  const Vec3<T>& n = now.kinematics.normal;
+  const auto step = law.step(now.pair, now.kinematics, law.virgin());
+  const T separating = dot<T>(now.kinematics.velocity, n);
+  int wrong = !step.active;
+  wrong += !(step.normal_elastic + law.adhesion(now.pair, now.kinematics.overlap) > T(0));
+  wrong += step.bridge_force != T(0);
+  wrong += !(separating > T(0) ? step.normal_force <= step.normal_elastic : step.normal_force >= step.normal_elastic);
+
+  // Shear is what is left when the normal part is taken away: 8 roundings of forces of this size.
+  const Vec3<T> shear = shear_part(step, n);
+  const T rounding = T(8) * epsilon<T>() * force_scale(step);
+  const T power = dot<T>(shear, Vec3<T>(now.kinematics.velocity - n * separating));
+  wrong += !(power <= rounding * norm<T>(now.kinematics.velocity));
+  wrong += !(abs(dot<T>(shear, n)) <= rounding);
+
+  ContactKinematics<T> deeper = now.kinematics;
+  deeper.overlap = deeper.overlap * T(2);
+  wrong += !(law.step(now.pair, deeper, law.virgin()).normal_elastic > step.normal_elastic);
+  const ContactStiffness<T> stiffness = law.stiffness(now.pair, now.kinematics.overlap, law.virgin());
+  wrong += !(stiffness.normal > T(0));
+  wrong += (stiffness.shear > T(0)) != law.shears;
+  return wrong;
+}
+
+/// By how much the shear force exceeds mu times the normal force, or falls short of it where the contact slides without
+/// dashpots, in roundings of the forces of the step: 8 are the subtraction's own. A law whose friction falls when it slides slides at the lower one.
+template <class T>
+double friction_error(const ErasedLaw<T>& law, const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
+                      const Step<T, typename ErasedLaw<T>::State>& step) {
+  using std::abs;
+  T load = T(0);
+  if (kinematics.overlap > T(0)) load = positive_part<T>(step.normal_force + law.adhesion(pair, kinematics.overlap));
+  const bool at_limit = step.sliding && !law.damps;
+  const Friction<T> friction = law.friction();
+  const T strength = load * (at_limit ? friction.sliding : friction.largest);
+  const T shear = norm<T>(shear_part(step, kinematics.normal));
+  if (step.sliding && !law.shears) return std::numeric_limits<double>::infinity();
+  const T off = at_limit ? T(abs(T(shear - strength))) : T(shear - strength);
+  if (off <= T(0)) return 0.0;
+  return static_cast<double>(T(off / (epsilon<T>() * force_scale(step) + std::numeric_limits<T>::denorm_min())));
+}
+
+/// How many values differ when a step is asked for twice, with other queries in between.
+template <class T>
+int changed_by_queries(const ErasedLaw<T>& law, const Instant<T>& now) {
+  const auto state = now.state;
+  law.stiffness(now.pair, now.kinematics.overlap, state);
+  law.stored_energy(now.pair, now.kinematics.overlap, state);
+  const auto again = law.step(now.pair, now.kinematics, state);
+  int changed = !same<T>(again.force, now.step.force) + !same<T>(again.couple, now.step.couple);
+  for (std::size_t i = 0; i < law.state_size(); ++i)
+    changed += (state[i] != now.state[i]) + (again.state[i] != now.step.state[i]);
+  return changed;
+}
+
+}  // namespace contactlaws::test

@@ -1,0 +1,8 @@
+#include "law_list.hpp"
+
+namespace contactlaws::test {
+template <>
+Laws<float> all_laws() {
+  return erase_laws<float>();
+}
+}  // namespace contactlaws::test
