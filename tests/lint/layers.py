@@ -19,6 +19,7 @@ LAYERS = [
     "normal/ damping/ tangential/ rolling/ bridge/",
     "contact_law",
     "laws batch timestep energy",
+    "rows",
     "contactlaws",
     "verify/",
 ]
