@@ -73,6 +73,18 @@ TEST_CASE("Increments: the elastic law comes back the way it went, the plastic o
   CHECK(plastic.energy(loaded, pair, 10e-6) == Approx(0.4 * force * depth).epsilon(1e-13));
 }
 
+TEST_CASE("Increments: the largest force is that of the same step, not of the step before") {
+  const Plastic law = Plastic::of(surface, 1e-12);
+  Plastic::State state;
+  for (int i = 1; i <= 100; ++i) {
+    const double force = law.respond(state, ballast_pair(), 1e-7 * i).force;
+    CHECK(state.largest_force == force);
+  }
+  const double peak = state.normal_force;
+  law.respond(state, ballast_pair(), 9e-6);
+  CHECK(state.largest_force == peak);
+}
+
 TEST_CASE("Increments: a step back that overshoots ends without a force, not with a pull") {
   const Plastic law = Plastic::of(surface, 1e-12);
   Plastic::State state;
