@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "catch.hpp"
+#include "contactlaws/contact_law.hpp"
 #include "random.hpp"
 
 namespace contactlaws::test {
@@ -143,6 +144,18 @@ TEST_CASE("Increments ratchet: cycles through separation climb to Hertz's curve"
             << hertz_response(pair, 20e-6).force << " N\n";
   CHECK(falls == 0);
   CHECK(last > 2 * first);
+}
+
+TEST_CASE("Increments: separation ends the force, and keeps the largest") {
+  const ContactLaw<Plastic> law{Plastic::of(surface, 1e-12), {}, {}, {}, {}};
+  const auto step = [&law](double overlap, const ContactLaw<Plastic>::State& state) {
+    return law.step(ballast_pair(), {{0, 0, 1}, overlap, {0, 0, 0}, 1e-6}, state);
+  };
+  const auto closed = step(1e-6, {});
+  const auto open = step(-1e-6, closed.state);
+  CHECK(open.state.normal_force == 0.0);
+  CHECK(open.state.largest_force == closed.normal_force);
+  CHECK(step(1e-7, open.state).normal_force > 0.0);  // closing again from the gap
 }
 
 TEST_CASE("Increments: the seed must not be negative") {
