@@ -1,47 +1,18 @@
-#include "contactlaws/energy.hpp"
-#include "make_laws.hpp"
-
 #include <iostream>
 
 #include "catch.hpp"
-#include "law_properties.hpp"
+#include "contactlaws/laws.hpp"
+#include "make_laws.hpp"
+#include "properties/energy.hpp"
+#include "properties/paths.hpp"
 
 namespace contactlaws::test {
 namespace {
 
-template <class Shear>
-using Undamped = ContactLaw<Hertz<double>, NoDashpots<double>, Shear>;
-
-/// The granite grains, moved along a grid of overlaps and along +x, with their energy booked.
-///
-/// Between the same two overlaps the elastic normal force does the same work by the trapezoidal rule, there and back, to
-/// the last digit; a spring's shear force is linear in its slip, for which the rule is exact. So a closed loop without
-/// slipping books the shear energy alone, and exactly.
-template <class Shear>
-struct Booked {
-  Undamped<Shear> law{{}, {}, {{}, 0.0}, {}};
-  PairProperties<double> pair = granite_pair<double>();
-  typename Undamped<Shear>::State state{};
-  EnergyLedger<double> ledger{};
-  double overlap = 0.0;
-
-  explicit Booked(double mu) { law.shear.friction = mu; }
-
-  double move(double to, double distance) {
-    const ContactKinematics<double> k{{0, 0, 1}, to, {distance, 0, overlap - to}, 1.0};
-    const auto step = law.step(pair, k, state);
-    ledger.enter(law, pair, k, step);
-    state = step.state;
-    overlap = to;
-    return -step.force.x();
-  }
-  double shear_stiffness() const { return law.stiffness(pair, overlap, state).shear; }
-};
-
 /// Energy gained on the loop: touch, o1, shear by S, o2, unshear, o1, open.
 template <class Shear>
 double gain(double o1, double o2, double slip) {
-  Booked<Shear> contact(1e6);
+  MovedContact<Undamped<Shear>> contact(1e6);
   for (const auto& [overlap, distance] :
        {std::pair(0.0, 0.0), {o1, 0.0}, {o1, slip}, {o2, 0.0}, {o2, -slip}, {o1, 0.0}, {0.0, 0.0}})
     contact.move(overlap, distance);
@@ -75,7 +46,7 @@ TEST_CASE("Energy: closed loops of the four shear histories, in closed form") {
 
 TEMPLATE_TEST_CASE("Energy: sticking shear stores k S^2/2, whatever is remembered", "", ShearForce<double>,
                    ShearForceRescaled<double>, ShearDisplacement<double>, ShearDisplacementRescaled<double>) {
-  Booked<TestType> contact(1e6);
+  MovedContact<Undamped<TestType>> contact(1e6);
   contact.move(1e-4, 0.0);
   const double normal = contact.ledger.stored;
   contact.move(1e-4, 1e-6);
@@ -84,56 +55,36 @@ TEMPLATE_TEST_CASE("Energy: sticking shear stores k S^2/2, whatever is remembere
 
 TEMPLATE_TEST_CASE("Energy: over random closed loops", "", ShearForce<double>, ShearForceRescaled<double>,
                    ShearDisplacement<double>, ShearDisplacementRescaled<double>) {
-  Random random;
   double most = 0.0;
-  for (int loop = 0; loop < cases(20000); ++loop) {
-    Booked<TestType> contact(random.chance(0.5) ? 1e6 : random.uniform(0.1, 1.0));
-    int level = 10;  // of a grid of overlaps; 0 is open
-    double strain = 0.0, largest = 0.0;
-    const auto level_up = [&](int by) {
-      level += by;
-      contact.move(1e-5 * level, 0.0);
-    };
-    for (int up = 1; up <= level; ++up) contact.move(1e-5 * up, 0.0);
-    for (int i = 0; i < 30; ++i) {
-      if (random.chance(0.5)) {
-        level_up(level == 1 || random.chance(0.5) ? 1 : -1);
-      } else {
-        const double slip = random.uniform(-2e-6, 2e-6);
-        const double force = contact.move(contact.overlap, slip);
-        strain += slip;
-        largest = std::max(largest, force * force / contact.shear_stiffness());
-      }
-    }
-    contact.move(contact.overlap, -strain);
-    while (level > 0) level_up(-1);
-    CHECK(contact.ledger.stored == 0.0);
-    if (largest > 1e-6) most = std::max(most, -contact.ledger.dissipated() / largest);
-  }
+  for (const bool sticks : {true, false})
+    most = std::max(most, largest_gain<Undamped<TestType>>(Random(), cases(10000), sticks).first);
   std::cout << "largest gain of a closed loop, " << TestType::name << ": " << most << " of the shear energy in it\n";
   if (TestType::name == std::string("ShearForceRescaled")) {
-    // The trapezoidal sums of the normal work cancel to 1e-16 of 0.1 J; that is 1e-11 of the shear energies counted.
-    CHECK(most <= 1e-10);
+    // The trapezoidal sums of the normal work cancel to 1e-16 of 0.1 J; that is 1e-8 of the least shear energy counted.
+    CHECK(most <= 1e-8);
   } else {
-    CHECK(most > 0.01);  // as documented: the others give energy away
+    CHECK(most > 0.01);  // as documented: the others create energy
   }
+}
+
+TEST_CASE("Energy: a rough contact at its largest overlap") {
+  using Rough = PohrtPopovElastoPlastic<double>;
+  const Rough normal = Rough::of({2.13, 26.1e-6});
+  // Virgin and unloading tangent differ by k_e/k_v = F/(d^(3/2)) stiffness, which ConstantRatio passes on to the shear spring;
+  // the gain is the larger of |1 - k_v/k_e| and |k_e/k_v - 1| at most.
+  const ContactLaw<Rough, NoDashpots<double>, ShearForce<double, ConstantRatio<double>>> constant{
+      normal, {}, {{0.6}, {0.0}}, {}, {}};
+  CHECK(gain_at_largest_overlap(constant) > 0.1);
+  // The normal work of the loop, 1e-10 of 4 mJ, cancels to 1e-16 of what is stored: 1e-6 of the shear energy.
+  const ContactLaw<Rough, NoDashpots<double>, ShearForce<double, ElasticRatio<double>>> elastic{
+      normal, {}, {{0.6}, {0.0}}, {}, {}};
+  CHECK(std::abs(gain_at_largest_overlap(elastic)) < 1e-6);
 }
 
 namespace {
 
-/// Which laws promise never to create energy: no shear, a rescaled force, or a shear stiffness that never changes.
-template <class Law>
-constexpr bool conserves = !has_shear<Law>;
-template <class N, class D, class T, class S, class C, class B>
-constexpr bool conserves<ContactLaw<N, D, IncrementalShear<T, Stored::force, Unloading::rescales, S, C>, B>> = true;
-template <class D, class S, class B>
-constexpr bool conserves<ContactLaw<LinearSpring<double>, D, S, B>> = true;
-template <class D, class S, class B>
-constexpr bool conserves<ContactLaw<LinearModulus<double>, D, S, B>> = true;
-
-/// Books a whole contact, from touch to beyond rupture, of granite grains that bounce and rub, in `steps` equal steps.
-template <class Law>
-EnergyLedger<double> ride(const Law& law, int steps) {
+/// Enters a whole contact, from touch to beyond rupture, of granite grains that bounce and rub, in `steps` equal steps.
+EnergyLedger<double> ride(const ErasedLaw<double>& law, int steps) {
   const PairProperties<double> pair = granite_pair<double>();
   const double end = law.interaction_range(pair) + 1e-6, duration = 1e-3;
   // The overlap rises to 20 um, dips, rises again, and parts; the slip goes to and fro.
@@ -142,11 +93,11 @@ EnergyLedger<double> ride(const Law& law, int steps) {
                    : 0.8e-6 - (0.8e-6 + end) * (t - 0.8) * (t - 0.8) / 0.04;
   };
   const auto slip = [](double t) { return 3e-6 * std::sin(19 * t) + 1e-6 * std::cos(7 * t); };
-  typename Law::State state{};
+  auto state = law.virgin();
+  law.make_wet(state, 0.0, 0.0);
   EnergyLedger<double> ledger;
-  if constexpr (has_bridge<Law>) Law::make_wet(state, 0.0, 0.0);
   ledger.stored = ledger.stored_at_start = law.stored_energy(pair, 0.0, state);
-  if constexpr (has_bridge<Law>) ledger.last_force = {0, 0, -law.bridge.largest_force(pair)};
+  ledger.last_force = law.step(pair, {{0, 0, 1}, 0.0, {0, 0, 0}, 0.0}, state).force;
   const double dt = duration / steps;
   for (int i = 0; i < steps; ++i) {
     const double t = static_cast<double>(i) / steps, next = static_cast<double>(i + 1) / steps;
@@ -162,25 +113,45 @@ EnergyLedger<double> ride(const Law& law, int steps) {
 }  // namespace
 
 TEST_CASE("Energy: work = stored + dissipated, converging with the step; what promises not to create any does not") {
-  visit_laws([](const char* name, std::size_t, const auto& law) {
-    INFO(name);
-    using Law = std::decay_t<decltype(law)>;
-    const EnergyLedger<double> coarse = ride(law, 20000), fine = ride(law, 40000), finest = ride(law, 80000);
+  for (const auto& law : all_laws<double>()) {
+    INFO(law->name);
+    const EnergyLedger<double> coarse = ride(*law, 20000), fine = ride(*law, 40000), finest = ride(*law, 80000);
     CHECK(finest.stored == 0.0);  // open, and dry
     const double change = std::abs(finest.dissipated() - fine.dissipated());
     INFO(coarse.dissipated() << ' ' << fine.dissipated() - coarse.dissipated() << ' ' << change);
     // First order at least, until a step that slip begins or ends in decides: one in 1e5 of the work.
     CHECK(change <=
           0.75 * std::abs(fine.dissipated() - coarse.dissipated()) + 1e-5 * std::abs(finest.dissipated()) + 1e-14);
-    if (conserves<Law>) CHECK(finest.dissipated() >= -2 * change - 1e-14);
-    const bool elastic =
-        !decltype(law.damping)::acts && !has_shear<Law> && !has_bridge<Law> && std::string(name).find("Rough") != 0;
+    if (law->conserves) CHECK(finest.dissipated() >= -2 * change - 1e-14);
+    const bool elastic = !law->damps && !law->shears && law->name.find("Rough") != 0;
     if (elastic) CHECK(std::abs(finest.dissipated()) <= 2 * change + 1e-14);
-    if (decltype(law.damping)::acts) CHECK(finest.dissipated() > 1e-8);
-  });
+    if (law->damps) CHECK(finest.dissipated() > 1e-8);
+  }
 }
 
-TEST_CASE("Energy: a dashpot turns into heat what it must, by its own integral") {
+TEST_CASE("Energy: what is stored at the start is not dissipated") {
+  // The bridge holds minus its work to rupture; to pull it apart takes that work, and no heat.
+  const ContactLaw<Hertz<double>, NoDashpots<double>, Frictionless<double>, SuctionBridge<double>> law{
+      {}, {}, {}, {2e5, 2.0, 2.0}, {}};
+  const PairProperties<double> pair = granite_pair<double>();
+  auto state = decltype(law)::State{};
+  law.make_wet(state, 0.0, 0.0);
+  EnergyLedger<double> ledger;
+  ledger.stored = ledger.stored_at_start = law.stored_energy(pair, 0.0, state);
+  ledger.last_force = {0, 0, -law.bridge.largest_force(pair)};
+  const int steps = 10000;
+  const double end = law.interaction_range(pair) * (1 - 1e-12);
+  for (int i = 1; i <= steps; ++i) {
+    const ContactKinematics<double> k{{0, 0, 1}, -end * i / steps, {0, 0, end / steps}, 1.0};
+    const auto step = law.step(pair, k, state);
+    ledger.enter(law, pair, k, step);
+    state = step.state;
+  }
+  CHECK(ledger.stored_at_start < -0.05);
+  CHECK(std::abs(ledger.dissipated()) < 1e-8 * ledger.work);  // the trapezoidal rule: (end/decay/steps)^2 / 12
+}
+
+TEST_CASE("Energy: a dashpot converts to heat what it must, by its own integral") {
   // Constant closing speed v to an overlap O: heat = alpha_n v int o^(1/4) do = 4/5 alpha_n v O^(5/4).
   const DryHill<double> law = test::dry_hill<double>(0.0, 0.07);
   const PairProperties<double> pair = granite_pair<double>();
@@ -197,8 +168,8 @@ TEST_CASE("Energy: a dashpot turns into heat what it must, by its own integral")
         Approx(0.8 * alpha_n * speed * std::pow(deep, 1.25)).epsilon(1e-5));  // first steps: n^-5/4
 }
 
-TEST_CASE("Energy: friction turns into heat force times slip") {
-  Booked<ShearForce<double>> contact(0.4);
+TEST_CASE("Energy: friction converts to heat force times slip") {
+  MovedContact<Undamped<ShearForce<double>>> contact(0.4);
   contact.move(0.0, 0.0);
   contact.move(1e-4, 0.0);
   const double strength = 0.4 * 1083.30463206478, stuck = strength / (1.49320368203524e9 * 0.01);

@@ -54,11 +54,15 @@ TEMPLATE_LIST_TEST_CASE("bodies that swap places feel exactly opposite forces", 
 
 TEMPLATE_LIST_TEST_CASE("units do not matter", "", Scalars) {
   using T = TestType;
-  // Squares of forces keep their digits in all units tried, so that all take the same branches.
-  const auto keeps_branches = [](const T& force) { return square_is_exact<T>(T(force * force * T(0x1p-40))); };
+  // Squares of forces and couples keep their digits in all units tried, so that all take the same branches.
+  const auto keeps_branches = [](const auto& now) {
+    const T couple = now.force * now.pair.effective_radius;
+    return square_is_exact<T>(T(now.force * now.force * T(0x1p-40))) &&
+           square_is_exact<T>(T(couple * couple * T(0x1p-40)));
+  };
   check<T>("binary units", 0, [&](const auto& law, const auto& now, Random& random) {
     const auto units = Units<T>::random(random, true, 4);
-    if (!keeps_branches(now.force)) return 0.0;
+    if (!keeps_branches(now)) return 0.0;
     const UnitErrors errors = error_in_units(law, now, units);
     return errors.force + errors.changed;
   });
@@ -67,7 +71,7 @@ TEMPLATE_LIST_TEST_CASE("units do not matter", "", Scalars) {
   // to 9 roundings each.
   check<T>("decimal units", 200, [&](const auto& law, const auto& now, Random& random) {
     const auto units = Units<T>::random(random, false, 9);
-    return keeps_branches(now.force) ? error_in_units(law, now, units).force : 0.0;
+    return keeps_branches(now) ? error_in_units(law, now, units).force : 0.0;
   });
 }
 

@@ -114,7 +114,9 @@ TEST_CASE("derivatives by autodiff are those of the force, with respect to every
         const auto forward = precise.step(pair, ahead, state), backward = precise.step(pair, behind, state);
         const bool same_branch = forward.sliding == step.sliding && backward.sliding == step.sliding &&
                                  (forward.normal_force > 0) == (backward.normal_force > 0);
-        if (!same_branch) continue;
+        // Where flattened surfaces are apart, a dashpot takes the square root of 0, which has no derivative.
+        const bool flattened = kinematics.overlap > 0 && step.normal_elastic == 0;
+        if (!same_branch || flattened) continue;
         const long double radius = pair.effective_radius;  // couples as forces
         Eigen::Matrix<long double, 6, 1> change, expected;
         change << forward.force - backward.force, (forward.couple - backward.couple) / radius;

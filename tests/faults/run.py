@@ -12,6 +12,7 @@ import argparse
 import json
 import os
 import queue
+import re
 import shutil
 import subprocess
 import sys
@@ -70,6 +71,13 @@ def source(root, test):
     return next((root / "tests").glob(f"*/test_{test}.cpp"), None)
 
 
+def sources(root, test):
+    """Of a test's program: its own, and the laws that tests/CMakeLists.txt links."""
+    linked = re.search(rf"target_link_libraries\(test_{test} PRIVATE ([^)]*)\)", (root / "tests/CMakeLists.txt").read_text())
+    laws = linked.group(1).split() if linked else []
+    return [source(root, test), *(root / "tests/properties" / f"{name}.cpp" for name in laws)]
+
+
 def copy_of_project(place):
     files = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
@@ -96,7 +104,8 @@ def verdict(common, copy, test):
     """Builds and runs a test of the copy: ("passes", ""), ("fails", the test case) or ("does not compile", why)."""
     program = copy / f"test_{test}"
     command = [COMPILER, *FLAGS, "-w", "-include", str(common / "common.hpp"), "-I", str(copy / "include"),
-               str(source(copy, test)), "-I", str(copy / "tests"), "-I", str(copy), "-I", str(copy / "examples"), str(common / "main.o"), "-o", str(program)]
+               "-I", str(copy / "tests"), "-I", str(copy), "-I", str(copy / "examples"), *map(str, sources(copy, test)),
+               str(common / "main.o"), "-o", str(program)]
     built = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST)
     if built.returncode != 0:
         return "does not compile", next((line for line in built.stderr.split("\n") if "error" in line), "")

@@ -1,5 +1,6 @@
-// What a fuzzer's bytes stand for. Bytes decide what happens and at which magnitude; digits, and all that comes after the
-// last byte, are random numbers that the bytes seed. So any input is a whole path, the same on every machine.
+// Numbers drawn from a fuzzer's bytes. Bytes decide what happens and at which magnitude; digits, and all that comes after the
+// last byte, are random numbers that the bytes seed. So any input is a whole path, the same on every machine: draw one
+// number a statement, since compilers evaluate the arguments of a call in different orders.
 #pragma once
 
 #include <cmath>
@@ -20,7 +21,8 @@ class Bytes {
   /// An integer of [low, high].
   int between(int low, int high) {
     const unsigned range = static_cast<unsigned>(high - low) + 1;
-    return low + static_cast<int>((range > 256 ? byte() * 256U + byte() : byte()) % range);
+    const unsigned high_byte = range > 256 ? byte() : 0;
+    return low + static_cast<int>((high_byte * 256U + byte()) % range);
   }
   /// A number of [0, 1).
   double fraction() { return static_cast<double>(random() >> 11U) * 0x1p-53; }
@@ -31,7 +33,10 @@ class Bytes {
     return std::ldexp(one_in(8) ? 1.0 : 1.0 + fraction(), exponent);
   }
   /// The same, of either sign, or zero of either sign.
-  double number(int low, int high) { return sign() * (one_in(8) ? 0.0 : magnitude(low, high)); }
+  double number(int low, int high) {
+    const double side = sign();
+    return side * (one_in(8) ? 0.0 : magnitude(low, high));
+  }
 
  private:
   std::uint64_t random() {  // splitmix64

@@ -105,7 +105,7 @@ TEST_CASE("Pohrt-Popov: stiffness is the force's slope, and goes with its power 
     const double s = 1e-5;
     const double rise = virgin(law, pair, overlap * (1 + s)).force - virgin(law, pair, overlap * (1 - s)).force;
     CHECK(here.stiffness == Approx(rise / (2 * s * overlap)).epsilon(1e-9));
-    CHECK(here.secant == Approx(here.force / overlap).epsilon(1e-15));
+    CHECK(here.secant == Approx(here.force / law.indentation(overlap).depth).epsilon(1e-15));
     CHECK(here.max_tangent == here.stiffness);
   }
 }
@@ -192,6 +192,32 @@ TEST_CASE("Elasto-plastic: virgin curve, or Hertz from the largest overlap") {
       CHECK(response.max_tangent >= response.stiffness);
     }
   }
+}
+
+TEST_CASE("Elasto-plastic: the tangent of the active branch, which a shear stiffness in constant ratio takes") {
+  const PairProperties<double> pair = ballast_pair();
+  const Plastic rough = Plastic::of(ballast_surface);
+  const ContactLaw<Plastic, NoDashpots<double>, ShearForce<double, ConstantRatio<double>>> law{
+      rough, {}, {{0.6}, {1e6}}, {}, {}};
+  const double slip = 1e-9, deep = rough.transition_overlap / 3;
+  const auto shear_stiffness = [&](double overlap, const auto& state) {
+    return -law.step(pair, {{0, 0, 1}, overlap, {slip, 0, 0}, 1.0}, state).force.x() / slip;
+  };
+  // Virgin: F goes with o^(1/(1 - beta)).
+  Plastic::State state;
+  const NormalResponse<double> loading = rough.respond(state, pair, deep);
+  const double virgin_tangent = loading.force / deep / (1 - ballast_surface.stiffness_exponent());
+  CHECK(loading.stiffness == Approx(virgin_tangent).epsilon(1e-13));
+  CHECK(shear_stiffness(deep, decltype(law)::State{}) == Approx(0.6 * virgin_tangent).epsilon(1e-13));
+  // Unloading: Hertz over the plastic overlap.
+  const double half = deep - rough.indentation(deep).depth / 2;
+  const NormalResponse<double> unloading = rough.respond(state, pair, half);
+  const double elastic_tangent = 1.5 * unloading.force / (half - rough.plastic_overlap(state));
+  CHECK(unloading.stiffness == Approx(elastic_tangent).epsilon(1e-12));
+  decltype(law)::State loaded{};
+  loaded.largest_overlap = deep;
+  CHECK(shear_stiffness(half, loaded) == Approx(0.6 * elastic_tangent).epsilon(1e-12));
+  CHECK(loading.max_tangent > 1.2 * loading.stiffness);  // or the two could not be told apart
 }
 
 TEMPLATE_TEST_CASE("Pohrt-Popov: the next larger overlap never has a smaller force", "", double, float) {

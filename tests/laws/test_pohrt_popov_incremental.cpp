@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "catch.hpp"
+#include "contactlaws/contact_law.hpp"
 #include "random.hpp"
 
 namespace contactlaws::test {
@@ -73,6 +74,18 @@ TEST_CASE("Increments: the elastic law comes back the way it went, the plastic o
   CHECK(plastic.energy(loaded, pair, 10e-6) == Approx(0.4 * force * depth).epsilon(1e-13));
 }
 
+TEST_CASE("Increments: the largest force is that of the same step, not of the step before") {
+  const Plastic law = Plastic::of(surface, 1e-12);
+  Plastic::State state;
+  for (int i = 1; i <= 100; ++i) {
+    const double force = law.respond(state, ballast_pair(), 1e-7 * i).force;
+    CHECK(state.largest_force == force);
+  }
+  const double peak = state.normal_force;
+  law.respond(state, ballast_pair(), 9e-6);
+  CHECK(state.largest_force == peak);
+}
+
 TEST_CASE("Increments: a step back that overshoots ends without a force, not with a pull") {
   const Plastic law = Plastic::of(surface, 1e-12);
   Plastic::State state;
@@ -131,6 +144,18 @@ TEST_CASE("Increments ratchet: cycles through separation climb to Hertz's curve"
             << hertz_response(pair, 20e-6).force << " N\n";
   CHECK(falls == 0);
   CHECK(last > 2 * first);
+}
+
+TEST_CASE("Increments: separation ends the force, and keeps the largest") {
+  const ContactLaw<Plastic> law{Plastic::of(surface, 1e-12), {}, {}, {}, {}};
+  const auto step = [&law](double overlap, const ContactLaw<Plastic>::State& state) {
+    return law.step(ballast_pair(), {{0, 0, 1}, overlap, {0, 0, 0}, 1e-6}, state);
+  };
+  const auto closed = step(1e-6, {});
+  const auto open = step(-1e-6, closed.state);
+  CHECK(open.state.normal_force == 0.0);
+  CHECK(open.state.largest_force == closed.normal_force);
+  CHECK(step(1e-7, open.state).normal_force > 0.0);  // closing again from the gap
 }
 
 TEST_CASE("Increments: the seed must not be negative") {
