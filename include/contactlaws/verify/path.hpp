@@ -9,11 +9,8 @@
 // so the velocity that a law computes from the bodies is the path's to the last few digits.
 #pragma once
 
-#include <istream>
+#include <cmath>
 #include <ostream>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "contactlaws/verify/force_update.hpp"
@@ -41,15 +38,15 @@ inline Rotation rotation_about(const Vector& axis, double angle) {
   return r;
 }
 
-/// The smallest rotation that takes the unit vector a to the unit vector b.
+/// The smallest rotation that takes the unit vector a to the unit vector b, which must not be opposite.
 inline Rotation rotation_between(const Vector& a, const Vector& b) {
-  using std::atan2;
-  using std::fabs;
-  const Vector axis = a.cross(b);
-  const double sine = norm<double>(axis);
-  if (sine > 0.0) return rotation_about(axis / sine, atan2(sine, dot<double>(a, b)));
-  const Vector other = tangential(fabs(a.x()) < 0.6 ? Vector(1, 0, 0) : Vector(0, 1, 0), a).normalized();
-  return rotation_about(other, dot<double>(a, b) < 0.0 ? pi<double>() : 0.0);
+  const Vector sine = a.cross(b);
+  Rotation r;
+  for (int j = 0; j < 3; ++j) {
+    const Vector e = Vector::Unit(j), once = sine.cross(e);
+    r.col(j) = e + once + sine.cross(once) / (1 + dot<double>(a, b));
+  }
+  return r;
 }
 
 /// Normal velocities set to those of the overlaps, the first from touch; slip is kept.
@@ -59,6 +56,14 @@ inline void set_normal_velocities(Path& path) {
     const double closing = m.dt > 0.0 ? (m.overlap - before) / m.dt : 0.0;
     m.velocity = tangential(m.velocity, m.normal) - m.normal * closing;
     before = m.overlap;
+  }
+}
+
+/// The same motion, slower.
+inline void slow_down(Path& path, double factor) {
+  for (Motion& m : path) {
+    m.dt *= factor;
+    m.velocity = m.velocity / factor;
   }
 }
 
@@ -117,12 +122,10 @@ inline Bodies at_rest(Bodies bodies) {
   return bodies;
 }
 
-inline constexpr const char* path_header = "dt,overlap,nx,ny,nz,vx,vy,vz,normal_spin,wx,wy,wz";
-
 /// PATH.csv of examples/contact_path.
 inline void write_path(std::ostream& out, const Path& path) {
   const auto digits = out.precision(17);
-  out << path_header << '\n';
+  out << "dt,overlap,nx,ny,nz,vx,vy,vz,normal_spin,wx,wy,wz\n";
   for (const Motion& m : path) {
     out << m.dt << ',' << m.overlap;
     for (const double x : m.normal) out << ',' << x;
@@ -132,24 +135,6 @@ inline void write_path(std::ostream& out, const Path& path) {
     out << '\n';
   }
   out.precision(digits);
-}
-
-/// What write_path wrote. @throws std::runtime_error on anything else
-inline Path read_path(std::istream& in) {
-  Path path;
-  std::string line;
-  if (!std::getline(in, line) || line != path_header)
-    throw std::runtime_error("not a path of contactlaws::verify: its first line is '" + line + "'");
-  while (std::getline(in, line)) {
-    std::istringstream cells(line);
-    double x[12];
-    char comma = ',';
-    for (int i = 0; i < 12; ++i)
-      if (!((i == 0 || cells >> comma) && cells >> x[i]) || comma != ',')
-        throw std::runtime_error("not twelve numbers: '" + line + "'");
-    path.push_back({Vector(x[2], x[3], x[4]), x[1], Vector(x[5], x[6], x[7]), x[0], x[8], Vector(x[9], x[10], x[11])});
-  }
-  return path;
 }
 
 }  // namespace contactlaws::verify

@@ -2,6 +2,7 @@
 // The common part of the checks: an update driven along paths, and the worst of what a measure finds there.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -91,9 +92,33 @@ struct Setup {
 
   Trajectory trajectory(const Path& path) const { return verify::trajectory(path, options); }
   Record drive_along(const Path& path) const { return drive(update, trajectory(path)); }
+  /// The load of one step, which advances the state.
+  Load load(const Bodies& bodies, double dt, ForceUpdate::State& state) const {
+    return load_of(bodies, update.step(bodies, dt, state));
+  }
 
-  /// Reads as one of several tenths of `paths`: for properties whose paths are long.
-  int few_paths() const { return options.paths / 10 + 1; }
+  /// Whether any interaction along the random paths has something: an open contact may return a force alone.
+  bool returns(const std::function<bool(const Interaction&)>& has) const {
+    return std::any_of(paths.begin(), paths.end(), [&](const Path& path) {
+      const Record record = drive_along(path);
+      return std::any_of(record.interactions.begin(), record.interactions.end(), has);
+    });
+  }
+  /// A tenth of the number of random paths, for properties with long ones.
+  int few() const { return options.paths / 10 + 1; }
+  /// Random paths of one property, each from a random normal and a direction across it; `make` need not set normal velocities.
+  template <class Make>
+  std::vector<Path> make_paths(const char* name, int count, const Make& make) const {
+    Random random(options.seed, name);
+    std::vector<Path> all;
+    for (int k = 0; k < count; ++k) {
+      const Vector normal = random.direction();
+      const Vector along = random.direction_across(normal);
+      all.push_back(make(random, normal, along));
+      set_normal_velocities(all.back());
+    }
+    return all;
+  }
 
   /// One step to an overlap [m] with a slip [m] across the normal, in a tenth of the characteristic time.
   Motion move(const Vector& normal, double overlap, const Vector& slip = Vector(0, 0, 0)) const {
@@ -129,8 +154,5 @@ struct Setup {
     return worst_of(property, unit, paths, measure);
   }
 };
-
-inline Result not_claimed(const char* property) { return {property, Verdict::not_claimed}; }
-inline Result not_offered(const char* property) { return {property, Verdict::not_offered}; }
 
 }  // namespace contactlaws::verify

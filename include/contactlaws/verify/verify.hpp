@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Checks of any force update. In three steps:
+// Checks of any force update. Adapt it (force_update.hpp lists what more it may offer), state its usual sizes and what it
+// claims (options.hpp), and read the report (report.hpp):
 //
-//   1. Adapt it: a struct with its history and a call.            (force_update.hpp lists what more it may offer)
-//
-//        struct MyLaw {
-//          struct State { double shear[3] = {0, 0, 0}; };
-//          verify::Interaction operator()(const verify::Bodies& pair, double dt, State& state) const {
-//            ...                                                    // pair.one.position, .velocity, .spin, .radius, .mass
-//            return {force_on_2, force_on_1, torque_on_1, torque_on_2};  // only the first is required
-//          }
-//        };
-//
-//   2. State the usual sizes, and what the law claims.            (options.hpp)
-//
-//        verify::Options options;
-//        options.radius1 = options.radius2 = 5e-3;  options.mass1 = options.mass2 = 1.4e-3;  options.overlap = 5e-6;
-//        options.claims.friction = 0.4;  options.claims.no_tension = true;
-//        options.folder = "faults";                                 // where the paths of failures go, if anywhere
-//
-//   3. Read the report.                                           (report.hpp)
-//
-//        const verify::Report report = verify::check_all(MyLaw{}, options);
-//        std::cout << report;                                       // a line per property
-//        return report.passed() ? 0 : 1;
+//     struct MyLaw {
+//       struct State { double shear[3] = {0, 0, 0}; };
+//       verify::Interaction operator()(const verify::Bodies& pair, double dt, State& state) const {
+//         ...                                                        // pair.one.position, .velocity, .spin, .radius, .mass
+//         return {force_on_2, force_on_1, torque_on_1, torque_on_2}; // only the first is required
+//       }
+//     };
+//     verify::Options options;
+//     options.radius1 = options.radius2 = 5e-3;  options.mass1 = options.mass2 = 1.4e-3;  options.overlap = 5e-6;
+//     options.claims.friction = 0.4;  options.claims.no_tension = true;
+//     const verify::Report report = verify::check_all(MyLaw{}, options);
+//     std::cout << report;                                           // a line per property; .passed() for the exit status
 //
 // A failure comes with the worst case found, reduced to a short path. Its PATH.csv drives any law of this library along the
 // same motion: examples/contact_path. The seed gives the same paths again. examples/verify_your_law.cpp is a whole program.
@@ -59,36 +50,50 @@ inline std::string write_path(const std::string& folder, const Result& result) {
 /// @throws std::invalid_argument on an option out of range, before any check; std::runtime_error on a path not written
 inline Report check_all(const ForceUpdate& update, const Options& options) {
   const Setup setup(update, options);
-  Report report{options.seed, {}};
-  for (Result (*check)(const Setup&) : {finite_force,
-                                        third_law,
-                                        torque_balance,
-                                        frame_indifference,
-                                        galilean_invariance,
-                                        rigid_spin,
-                                        rigid_twist,
-                                        swap_of_bodies,
-                                        change_of_owner,
-                                        unit_scaling,
-                                        purity,
-                                        restart,
-                                        zero_duration,
-                                        coulomb_bound,
-                                        friction_reached,
-                                        static_friction_reached,
-                                        slip_in_small_steps,
-                                        no_tension,
-                                        continuity_at_touch,
-                                        continuity_in_motion,
-                                        open_contact,
-                                        stiffness_is_derivative,
-                                        convergence,
-                                        ratcheting,
-                                        dashpots_dissipate,
-                                        closed_loops,
-                                        oblique_impacts,
-                                        restitution_as_claimed})
-    report.results.push_back(check(setup));
+  const Claims& claims = options.claims;
+  struct Property {
+    const char* name;
+    Result (*check)(const Setup&, const char* name);
+    bool claimed = true, offered = true;
+  };
+  const bool both_torques = setup.returns([](const Interaction& i) { return i.torque1 && i.torque2; });
+  const Property properties[] = {
+      {"finite force", finite_force},
+      {"third law", third_law, true, setup.returns([](const Interaction& i) { return i.force1.has_value(); })},
+      {"torque balance", torque_balance, true, both_torques},
+      {"frame indifference", frame_indifference},
+      {"Galilean invariance", galilean_invariance},
+      {"rigid spin", rigid_spin},
+      {"rigid twist", rigid_twist, claims.follows_twist},
+      {"swap of the bodies", swap_of_bodies},
+      {"change of owner", change_of_owner, true, bool(update.exchanged)},
+      {"unit scaling", unit_scaling, true, bool(update.in_units)},
+      {"purity", purity},
+      {"restart", restart, true, bool(update.restarted)},
+      {"step of zero duration", zero_duration},
+      {"Coulomb bound", coulomb_bound, bool(claims.friction)},
+      {"friction reached", friction_reached, bool(claims.friction)},
+      {"static friction reached", static_friction_reached, bool(claims.static_friction)},
+      {"slip in small steps", slip_in_small_steps},
+      {"no tension", no_tension, claims.no_tension},
+      {"continuity at touch", continuity_at_touch, claims.continuous_at_touch},
+      {"continuity in motion", continuity_in_motion, claims.continuous_in_motion},
+      {"open contact", open_contact, bool(claims.range)},
+      {"derivative = stiffness", stiffness_is_derivative, true, bool(update.stiffness)},
+      {"step-size convergence", convergence},
+      {"ratcheting", ratcheting, claims.no_ratcheting},
+      {"dashpots dissipate", dashpots_dissipate},
+      {"energy on closed loops", closed_loops, claims.passive},
+      {"energy of impacts", oblique_impacts, claims.passive_impacts},
+      {"restitution", restitution_as_claimed, bool(claims.restitution)}};
+  Report report{options.seed};
+  for (const auto& [name, check, claimed, offered] : properties) {
+    if (claimed && offered) {
+      report.results.push_back(check(setup, name));
+    } else {
+      report.results.push_back({name, claimed ? Verdict::not_offered : Verdict::not_claimed});
+    }
+  }
   if (options.folder.empty()) return report;
   for (Result& result : report.results)
     if (result.verdict == Verdict::fail) result.file = detail::write_path(options.folder, result);

@@ -58,10 +58,11 @@ inline Finding gain_along(const Setup& setup, const Path& path) {
 
 /// From touch, to and fro between four overlaps, along the contact plane and rolling, back to no slip, and open. The overlap
 /// moves slowly, so that the normal dashpot does not hide what the springs yield; slip has any speed.
-inline Path random_loop(Random& random, const Scales& scales, double friction, double gap) {
+inline Path random_loop(const Setup& setup, Random& random, const Vector& normal, const Vector& along) {
   constexpr int levels = 4;
-  const Vector normal = random.direction();
-  const Vector along = random.direction_across(normal);
+  const Scales& scales = setup.scales;
+  const Claims& claims = setup.options.claims;
+  const double friction = minimum<double>(claims.friction.value_or(1.0), 1.0), gap = claims.range.value_or(0.0);
   const double slow = 1e4 * scales.time, slip = scales.overlap * random.log_uniform(0.01, 5.0) * friction;
   Path path;
   int level = 0;
@@ -83,19 +84,17 @@ inline Path random_loop(Random& random, const Scales& scales, double friction, d
   while (level < first) go(level + 1);
   const double moves = random.uniform(2.0, 16.0);
   for (int i = 0; i < moves; ++i) {
-    if (random.chance(0.5)) {
-      const bool rolls = random.chance(0.3);
-      const double by = random.uniform(-1, 1) * slip;
+    const bool slides = random.chance(0.5), rolls = random.chance(0.3), lower = random.chance(0.5);
+    const double by = random.uniform(-1, 1) * slip;
+    if (slides) {
       slide(rolls ? 0.0 : by, rolls ? by : 0.0);
     } else {
-      const bool lower = random.chance(0.5);
       go(level == levels || (level > 1 && lower) ? level - 1 : level + 1);
     }
   }
   slide(-slipped, -rolled);
   while (level > 0) go(level - 1);
   if (gap > 0.0) path.push_back({normal, -gap * (1 + 1e-6), Vector(0, 0, 0), slow});
-  set_normal_velocities(path);
   return path;
 }
 
@@ -103,13 +102,9 @@ inline Path random_loop(Random& random, const Scales& scales, double friction, d
 
 /// The load of a moving contact, less that at rest in the same place, never drives the motion. Of a new contact that closes
 /// and opens without slip, or slips or rolls at one overlap: only there is the difference the dashpots' alone.
-inline Result dashpots_dissipate(const Setup& setup) {
-  constexpr const char* name = "dashpots dissipate";
-  Random random(setup.options.seed, name);
-  std::vector<Path> tried;
-  for (int k = 0; k < setup.options.paths; ++k) {
-    const Vector normal = random.direction();
-    const Vector along = random.direction_across(normal);
+inline Result dashpots_dissipate(const Setup& setup, const char* name) {
+  int k = 0;
+  const auto make = [&](Random& random, const Vector& normal, const Vector& along) {
     const double from = setup.scales.overlap * random.log_uniform(0.01, 1.0);
     const double to = setup.scales.overlap * random.log_uniform(0.01, 1.0);
     const double speed = setup.scales.speed() * random.log_uniform(1e-2, 10.0);
@@ -119,9 +114,10 @@ inline Result dashpots_dissipate(const Setup& setup) {
     if (k % 3 == 0) m = {normal, to, Vector(0, 0, 0), fabs(to - from) / speed};
     if (k % 3 == 1) m.velocity = along * speed;
     if (k % 3 == 2) m.relative_spin = along * (speed / setup.scales.length);
-    set_normal_velocities(path);
-    tried.push_back(path);
-  }
+    ++k;
+    return path;
+  };
+  const std::vector<Path> tried = setup.make_paths(name, setup.options.paths, make);
   return setup.worst_of(name, "of the largest force, along the motion", tried, [&](const Path& path) {
     if (path.empty()) return Finding{};
     const Trajectory trajectory = setup.trajectory(path);
@@ -133,16 +129,10 @@ inline Result dashpots_dissipate(const Setup& setup) {
   });
 }
 
-inline Result closed_loops(const Setup& setup) {
-  constexpr const char* name = "energy on closed loops";
-  const Claims& claims = setup.options.claims;
-  if (!claims.passive) return not_claimed(name);
-  Random random(setup.options.seed, name);
-  std::vector<Path> loops;
+inline Result closed_loops(const Setup& setup, const char* name) {
   constexpr int loops_per_path = 20;  // few loops yield energy; a loop is cheap
-  const double friction = minimum<double>(claims.friction.value_or(1.0), 1.0);
-  for (int i = 0; i < loops_per_path * setup.options.paths; ++i)
-    loops.push_back(detail::random_loop(random, setup.scales, friction, claims.range.value_or(0.0)));
+  const auto loops = setup.make_paths(name, loops_per_path * setup.options.paths,
+                                      [&](auto&... random) { return detail::random_loop(setup, random...); });
   return setup.worst_of(name, "of the work, gained", loops,
                         [&](const Path& path) { return detail::gain_along(setup, path); });
 }

@@ -19,19 +19,13 @@ inline double long_slide(const Claims& claims, double overlap) {
   return 10 * (1 + claims.static_friction.value_or(claims.friction.value_or(0.0))) * overlap;
 }
 inline std::vector<Path> slides(const Setup& setup, const char* name, int steps) {
-  Random random(setup.options.seed, name);
-  std::vector<Path> all;
-  for (int k = 0; k < setup.few_paths(); ++k) {
-    const Vector normal = random.direction();
-    const Vector along = random.direction_across(normal);
+  return setup.make_paths(name, setup.few(), [&](Random& random, const Vector& normal, const Vector& along) {
     const double overlap = setup.scales.overlap * random.uniform(0.1, 1.0);
     const Vector slip = along * (1.5 * long_slide(setup.options.claims, overlap) / steps);
-    Path path{setup.move(normal, overlap)};
-    for (int i = 0; i < steps; ++i) path.push_back(setup.move(normal, overlap, slip));
-    set_normal_velocities(path);
-    all.push_back(path);
-  }
-  return all;
+    Path path(static_cast<std::size_t>(steps) + 1, setup.move(normal, overlap, slip));
+    path.front() = setup.move(normal, overlap);
+    return path;
+  });
 }
 
 inline bool is_long_slide(const Setup& setup, const Path& path) {
@@ -42,10 +36,8 @@ inline bool is_long_slide(const Setup& setup, const Path& path) {
 
 }  // namespace detail
 
-inline Result coulomb_bound(const Setup& setup) {
-  constexpr const char* name = "Coulomb bound";
+inline Result coulomb_bound(const Setup& setup, const char* name) {
   const Claims& claims = setup.options.claims;
-  if (!claims.friction) return not_claimed(name);
   const double friction = claims.static_friction.value_or(*claims.friction);
   return setup.worst_of(name, "of the largest force, beyond mu F_n", [&](const Path& path) {
     const Record record = setup.drive_along(path);
@@ -60,9 +52,7 @@ inline Result coulomb_bound(const Setup& setup) {
 }
 
 /// At the end of a long slide, in few steps or in many, shear is mu F_n, straight against the slip.
-inline Result friction_reached(const Setup& setup) {
-  constexpr const char* name = "friction reached";
-  if (!setup.options.claims.friction) return not_claimed(name);
+inline Result friction_reached(const Setup& setup, const char* name) {
   std::vector<Path> slides = detail::slides(setup, name, 2);
   for (const Path& slow : detail::slides(setup, name, 200)) slides.push_back(slow);
   return setup.worst_of(name, "of the friction claimed", slides, [&](const Path& path) {
@@ -78,16 +68,9 @@ inline Result friction_reached(const Setup& setup) {
 }
 
 /// Before the first slip of a slow slide, shear reaches the static coefficient, but for its rise in one step.
-inline Result static_friction_reached(const Setup& setup) {
-  constexpr const char* name = "static friction reached";
-  if (!setup.options.claims.static_friction) return not_claimed(name);
+inline Result static_friction_reached(const Setup& setup, const char* name) {
   std::vector<Path> slides = detail::slides(setup, name, 500);
-  for (Path& path : slides) {
-    for (Motion& m : path) {  // slowly: the dashpot counts within the limit
-      m.dt *= 1e4;
-      m.velocity = m.velocity / 1e4;
-    }
-  }
+  for (Path& path : slides) slow_down(path, 1e4);  // the dashpot counts within the limit
   return setup.worst_of(name, "of the friction claimed", slides, [&](const Path& path) {
     const Record record = setup.drive_along(path);
     double last = 0.0, rise = 0.0, largest = 0.0;
@@ -108,24 +91,19 @@ inline Result static_friction_reached(const Setup& setup) {
 /// A slow slide (and roll) whose steps double, from 1e-9 of the overlap on: the springs hold what they hold when each step
 /// is done in eight. A law that drops small slips, or slow ones, differs by all of it at one of the steps; a law that
 /// follows a curve with large steps, by some per cent. Relative to the spring's force, less what rounding makes of it.
-inline Result slip_in_small_steps(const Setup& setup) {
-  constexpr const char* name = "slip in small steps";
+inline Result slip_in_small_steps(const Setup& setup, const char* name) {
   constexpr int doublings = 31, parts = 8;
-  Random random(setup.options.seed, name);
-  std::vector<Path> slides;
-  for (int k = 0; k < setup.few_paths(); ++k) {
-    const Vector normal = random.direction();
-    const Vector along = random.direction_across(normal);
-    const double overlap = setup.scales.overlap * random.uniform(0.1, 1.0);
-    double slip = 1e-9 * overlap;
-    Path path{setup.move(normal, overlap)};
-    for (int i = 0; i < doublings; ++i, slip *= 2) {
-      path.push_back({normal, overlap, along * (slip / setup.scales.time / 1e4), 1e4 * setup.scales.time});
-      path.back().relative_spin = path.back().velocity / setup.scales.length;
-    }
-    set_normal_velocities(path);
-    slides.push_back(path);
-  }
+  const auto slides =
+      setup.make_paths(name, setup.few(), [&](Random& random, const Vector& normal, const Vector& along) {
+        const double overlap = setup.scales.overlap * random.uniform(0.1, 1.0);
+        double slip = 1e-9 * overlap;
+        Path path{setup.move(normal, overlap)};
+        for (int i = 0; i < doublings; ++i, slip *= 2) {
+          path.push_back({normal, overlap, along * (slip / setup.scales.time / 1e4), 1e4 * setup.scales.time});
+          path.back().relative_spin = path.back().velocity / setup.scales.length;
+        }
+        return path;
+      });
   return setup.worst_of(name, "of the spring's force, when a step is cut in eight", slides, [&](const Path& path) {
     const Trajectory whole = setup.trajectory(path);
     ForceUpdate::State once = setup.update.start(), cut = once;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Histories: the same state gives the same force, a restart loses nothing, smaller steps converge, closed cycles end where
-// they began.
+// Histories: the same state gives the same load, a restart or another owner changes nothing, smaller steps converge, closed
+// cycles end where they began.
 #pragma once
 
 #include <algorithm>
@@ -12,57 +12,67 @@
 
 namespace contactlaws::verify {
 
-/// Bit by bit the same forces from the same state: a step of a copy changes nothing else.
-inline Result purity(const Setup& setup) {
-  return setup.worst_of("purity", "of the largest force", [&](const Path& path) {
-    const Trajectory trajectory = setup.trajectory(path);
-    const Record once = drive(setup.update, trajectory);
-    Finding finding;
-    ForceUpdate::State state = setup.update.start();
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      const auto& [bodies, dt] = trajectory[i];
-      ForceUpdate::State copy = state;
-      const Load of_copy = load_of(bodies, setup.update.step(bodies, dt, copy));
-      const Load again = load_of(bodies, setup.update.step(bodies, dt, state));
-      finding.add(load_norm(of_copy - once.loads[i]) / once.largest_force());
-      finding.add(load_norm(again - once.loads[i]) / once.largest_force());
-    }
-    return finding;
-  });
-}
+namespace detail {
 
-/// Bit by bit the same forces when the state is stored and loaded before every step.
-inline Result restart(const Setup& setup) {
-  constexpr const char* name = "restart";
-  if (!setup.update.restarted) return not_offered(name);
+/// Another way to take a step, from the state before it or after it.
+using OtherWay = std::function<Load(const Instant&, const ForceUpdate::State& before, const ForceUpdate::State& after)>;
+
+/// At each step of the random paths the other way gives the same load, and leaves the steps that follow unchanged.
+inline Result other_way(const Setup& setup, const char* name, double allowed, const OtherWay& other) {
   return setup.worst_of(name, "of the largest force", [&](const Path& path) {
     const Trajectory trajectory = setup.trajectory(path);
-    const Record through = drive(setup.update, trajectory);
-    Finding finding;
+    const Record alone = drive(setup.update, trajectory);
+    const double largest = alone.largest_force();
+    Finding finding{0.0, allowed};
     ForceUpdate::State state = setup.update.start();
     for (std::size_t i = 0; i < path.size(); ++i) {
-      const auto& [bodies, dt] = trajectory[i];
-      state = setup.update.restarted(state);
-      const Load load = load_of(bodies, setup.update.step(bodies, dt, state));
-      finding.add(load_norm(load - through.loads[i]) / through.largest_force());
+      const ForceUpdate::State before = state;
+      const Load load = setup.load(trajectory[i].bodies, trajectory[i].dt, state);
+      finding.add(load_norm(load - alone.loads[i]) / largest);
+      finding.add(load_norm(other(trajectory[i], before, state) - load) / largest);
     }
     return finding;
   });
 }
 
-/// A step repeated with dt = 0, as hosts do when they set up or restart: the force stays. With static friction the step in
-/// which sliding begins is repeated once before, since it ends in another limit than it began with.
-inline Result zero_duration(const Setup& setup) {
-  return setup.worst_of("step of zero duration", "of the largest force", [&](const Path& path) {
+}  // namespace detail
+
+/// Bit by bit the same load from the same state.
+inline Result purity(const Setup& setup, const char* name) {
+  return detail::other_way(setup, name, 0.0, [&](const Instant& i, ForceUpdate::State before, const auto&) {
+    return setup.load(i.bodies, i.dt, before);
+  });
+}
+
+/// Bit by bit the same load when the state is stored and loaded before the step.
+inline Result restart(const Setup& setup, const char* name) {
+  return detail::other_way(setup, name, 0.0, [&](const Instant& i, const auto& before, const auto&) {
+    ForceUpdate::State restarted = setup.update.restarted(before);
+    return setup.load(i.bodies, i.dt, restarted);
+  });
+}
+
+/// The same load when the pair is owned by the other body, with its history as the law exchanges it.
+inline Result change_of_owner(const Setup& setup, const char* name) {
+  return detail::other_way(setup, name, setup.scales.rounding, [&](const Instant& i, const auto& before, const auto&) {
+    ForceUpdate::State exchanged = setup.update.exchanged(before);
+    return Load(-setup.load({i.bodies.two, i.bodies.one}, i.dt, exchanged));
+  });
+}
+
+/// A step repeated with dt = 0, as hosts do when they set up or restart: the load stays. With static friction a second
+/// repetition is compared to the first, since the step in which sliding begins ends with another limit than it began with.
+inline Result zero_duration(const Setup& setup, const char* name) {
+  return setup.worst_of(name, "of the largest force", [&](const Path& path) {
     const Trajectory trajectory = setup.trajectory(path);
     const double largest = drive(setup.update, trajectory).largest_force();
     Finding finding{0.0, setup.scales.rounding};
     ForceUpdate::State state = setup.update.start();
     for (const auto& [bodies, dt] : trajectory) {
-      Load load = load_of(bodies, setup.update.step(bodies, dt, state));
+      Load load = setup.load(bodies, dt, state);
       ForceUpdate::State copy = state;
-      if (setup.options.claims.static_friction) load = load_of(bodies, setup.update.step(bodies, 0.0, copy));
-      finding.add(load_norm(load_of(bodies, setup.update.step(bodies, 0.0, copy)) - load) / largest);
+      if (setup.options.claims.static_friction) load = setup.load(bodies, 0.0, copy);
+      finding.add(load_norm(setup.load(bodies, 0.0, copy) - load) / largest);
     }
     return finding;
   });
@@ -96,9 +106,9 @@ inline Path smooth_path(const Scales& scales, double amplitude, int steps) {
 /// at least (order 1/2), from the largest at 128 to 512 steps to that at 2048, or be below 1e-5, where the steps in which slip
 /// begins decide. Median and largest, since a law with static friction jumps where slip begins.
 /// `measure` gives the lowest order seen, from 128 steps on. A failure's path is the motion, in 16 steps.
-inline Result convergence(const Setup& setup) {
+inline Result convergence(const Setup& setup, const char* name) {
   constexpr std::size_t times = 16;
-  Result result{"step-size convergence"};
+  Result result{name};
   result.worst.allowed = 0.25;
   double lowest = std::numeric_limits<double>::infinity();
   for (const double amplitude : {0.003, 0.03, 0.3}) {
@@ -134,34 +144,23 @@ inline Result convergence(const Setup& setup) {
 
 /// A cycle of overlap and slip, eight times: the force at rest after each is that after the first.
 /// Allowed: eight cycles' rounding; a law that integrates F(o) drifts by the square of its step, which is no rounding.
-inline Result ratcheting(const Setup& setup) {
-  constexpr const char* name = "ratcheting";
-  if (!setup.options.claims.no_ratcheting) return not_claimed(name);
+inline Result ratcheting(const Setup& setup, const char* name) {
   constexpr int cycles = 8, steps_of_cycle = 4;
   const double friction = minimum<double>(setup.options.claims.friction.value_or(1.0), 1.0);
-  Random random(setup.options.seed, name);
-  std::vector<Path> tried;
-  for (int k = 0; k < setup.few_paths(); ++k) {
-    const Vector normal = random.direction();
-    const Vector along = random.direction_across(normal);
-    const double other = setup.scales.overlap * random.uniform(0.3, 0.9);
-    const bool opening = random.chance(0.5);  // the sense of the cycle matters
-    const double out = opening ? setup.scales.overlap : other, back = opening ? other : setup.scales.overlap;
-    const Vector slip = along * out * friction * random.log_uniform(1e-3, 0.03);
-    Path path{setup.move(normal, out)};
-    for (int i = 0; i < cycles; ++i) {
-      path.push_back(setup.move(normal, out, slip));
-      path.push_back(setup.move(normal, back));
-      path.push_back(setup.move(normal, back, -slip));
-      path.push_back(setup.move(normal, out));
-    }
-    for (Motion& m : path) {  // slowly: a dashpot that opens the contact resets its history
-      m.dt *= 1e4;
-      m.velocity = m.velocity / 1e4;
-    }
-    set_normal_velocities(path);
-    tried.push_back(path);
-  }
+  const auto tried =
+      setup.make_paths(name, setup.few(), [&](Random& random, const Vector& normal, const Vector& along) {
+        const double other = setup.scales.overlap * random.uniform(0.3, 0.9);
+        const bool opening = random.chance(0.5);  // the sense of the cycle matters
+        const double out = opening ? setup.scales.overlap : other, back = opening ? other : setup.scales.overlap;
+        const Vector slip = along * out * friction * random.log_uniform(1e-3, 0.03);
+        Path path{setup.move(normal, out)};
+        for (int i = 0; i < cycles; ++i)
+          for (const Motion& m : {setup.move(normal, out, slip), setup.move(normal, back),
+                                  setup.move(normal, back, -slip), setup.move(normal, out)})
+            path.push_back(m);
+        slow_down(path, 1e4);  // a dashpot that opens the contact resets its history
+        return path;
+      });
   return setup.worst_of(name, "of the largest force, in eight cycles", tried, [&](const Path& path) {
     Finding finding{0.0, cycles * setup.scales.rounding};
     if (path.size() < 1 + 2 * steps_of_cycle || (path.size() - 1) % steps_of_cycle != 0) return finding;

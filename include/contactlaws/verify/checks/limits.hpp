@@ -31,7 +31,7 @@ inline std::vector<Path> paths_to_touch(const Setup& setup) {
 }  // namespace detail
 
 /// From finite motion a finite force.
-inline Result finite_force(const Setup& setup) {
+inline Result finite_force(const Setup& setup, const char* name) {
   const auto measure = [&](const Path& path) {
     Finding finding;
     for (const Interaction& i : setup.drive_along(path).interactions) {
@@ -41,12 +41,10 @@ inline Result finite_force(const Setup& setup) {
     }
     return finding;
   };
-  return setup.worst_of("finite force", "steps with a force that is no number", detail::paths_to_touch(setup), measure);
+  return setup.worst_of(name, "steps with a force that is no number", detail::paths_to_touch(setup), measure);
 }
 
-inline Result no_tension(const Setup& setup) {
-  constexpr const char* name = "no tension";
-  if (!setup.options.claims.no_tension) return not_claimed(name);
+inline Result no_tension(const Setup& setup, const char* name) {
   return setup.worst_of(name, "of the largest force", detail::paths_to_touch(setup), [&](const Path& path) {
     const Record record = setup.drive_along(path);
     Finding finding{0.0, setup.scales.rounding};
@@ -61,13 +59,11 @@ namespace detail {
 /// The jump of force of a new contact from an overlap of -d to one of d, at d = 1e-7 of the usual, over that at 1e-5:
 /// tends to 1 where there is a jump, and is 10^-2p where the force grows as d^p: 0.32 for a dashpot that grows as d^(1/4).
 inline Result jump_at_touch(const Setup& setup, const char* name, double speed) {
-  Random random(setup.options.seed, name);
-  std::vector<Path> touches;
-  for (int k = 0; k < setup.few_paths(); ++k) {
-    const Vector normal = random.direction();
-    const Vector velocity = speed * (random.direction_across(normal) - normal);
-    touches.push_back({{normal, 1e-7 * setup.scales.overlap, velocity, 1e-5 * setup.scales.time}});
-  }
+  auto touches = setup.make_paths(name, setup.few(), [&](Random&, const Vector& normal, const Vector& along) {
+    return Path{{normal, 1e-7 * setup.scales.overlap, along, 1e-5 * setup.scales.time}};
+  });
+  for (Path& path : touches)
+    path.front().velocity = speed * (tangential(path.front().velocity, path.front().normal) - path.front().normal);
   return setup.worst_of(name, "of it is left when the overlap falls to a hundredth", touches, [&](const Path& path) {
     const auto force = [&](double at) {
       Path one = path;
@@ -86,22 +82,16 @@ inline Result jump_at_touch(const Setup& setup, const char* name, double speed) 
 
 }  // namespace detail
 
-inline Result continuity_at_touch(const Setup& setup) {
-  constexpr const char* name = "continuity at touch";
-  if (!setup.options.claims.continuous_at_touch) return not_claimed(name);
+inline Result continuity_at_touch(const Setup& setup, const char* name) {
   return detail::jump_at_touch(setup, name, 0.0);
 }
 
-inline Result continuity_in_motion(const Setup& setup) {
-  constexpr const char* name = "continuity in motion";
-  if (!setup.options.claims.continuous_in_motion) return not_claimed(name);
+inline Result continuity_in_motion(const Setup& setup, const char* name) {
   return detail::jump_at_touch(setup, name, setup.scales.speed());
 }
 
 /// Beyond its range a contact exerts nothing; when it closes again, it starts without shear and without a couple.
-inline Result open_contact(const Setup& setup) {
-  constexpr const char* name = "open contact";
-  if (!setup.options.claims.range) return not_claimed(name);
+inline Result open_contact(const Setup& setup, const char* name) {
   const double gap = *setup.options.claims.range * (1 + 1e-6) + 1e-3 * setup.scales.overlap;
   return setup.worst_of(name, "of the largest force", [&](const Path& path) {
     Path further = path;
@@ -121,9 +111,7 @@ inline Result open_contact(const Setup& setup) {
 /// The stiffness of the law is the slope of its force at rest in the direction in which the overlap moved last, and that of
 /// a small slip of a new contact. Differences over h = 1e-6 of the overlap o: the elastic part of a plastic contact may be
 /// a thousandth of o, so 1e-3; and rounding times o/h, of which Scales::rounding counts a hundred and here are ten.
-inline Result stiffness_is_derivative(const Setup& setup) {
-  constexpr const char* name = "derivative = stiffness";
-  if (!setup.update.stiffness) return not_offered(name);
+inline Result stiffness_is_derivative(const Setup& setup, const char* name) {
   return setup.worst_of(name, "of the stiffness", [&](const Path& path) {
     using std::fabs;
     Finding finding{0.0, 1e-3 + 1e5 * setup.scales.rounding};

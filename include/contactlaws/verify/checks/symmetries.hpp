@@ -25,35 +25,35 @@ inline double difference(const Interaction& a, const Interaction& b, double forc
   return largest.error;
 }
 
-/// The difference between the interactions along the path, transformed, and those of the transformed trajectory.
-template <class OfBodies, class OfInteraction>
-Finding invariance(const Setup& setup, const Path& path, const OfBodies& of_bodies, const OfInteraction& transform) {
+/// The difference between the interactions along the path, and those of another observer, translated back.
+template <class Observe, class Translate>
+Finding invariance(const Setup& setup, const Path& path, const ForceUpdate& update, const Observe& observe,
+                   const Translate& back) {
   const Trajectory here = setup.trajectory(path);
   Trajectory there;
   double time = 0.0;
-  for (const Instant& i : here) there.push_back({of_bodies(i.bodies, time += i.dt), i.dt});
-  const Record expected = drive(setup.update, here), found = drive(setup.update, there);
+  for (const Instant& i : here) there.push_back(observe(i, time += i.dt));
+  const Record expected = drive(setup.update, here), found = drive(update, there);
+  const double largest = expected.largest_force();
   Finding finding{0.0, setup.scales.rounding};
   for (std::size_t i = 0; i < here.size(); ++i)
-    finding.add(difference(transform(expected.interactions[i]), found.interactions[i], expected.largest_force(),
-                           setup.scales.length));
+    finding.add(difference(expected.interactions[i], back(found.interactions[i]), largest, setup.scales.length));
   return finding;
 }
 
-/// Whether any interaction along the random paths has it: an open contact may return a force alone.
-template <class Has>
-bool ever(const Setup& setup, const Has& has) {
-  for (const Path& path : setup.paths)
-    for (const Interaction& i : setup.drive_along(path).interactions)
-      if (has(i)) return true;
-  return false;
+template <class Change>
+Bodies changed(const Bodies& b, const Change& change) {
+  return {change(b.one), change(b.two)};
+}
+template <class OfForce, class OfTorque>
+Interaction changed(const Interaction& i, const OfForce& force, const OfTorque& torque) {
+  const auto apply = [](const std::optional<Vector>& v, const auto& f) { return v ? std::optional<Vector>(f(*v)) : v; };
+  return {force(i.force), apply(i.force1, force), apply(i.torque1, torque), apply(i.torque2, torque)};
 }
 
 }  // namespace detail
 
-inline Result third_law(const Setup& setup) {
-  constexpr const char* name = "third law";
-  if (!detail::ever(setup, [](const Interaction& i) { return i.force1.has_value(); })) return not_offered(name);
+inline Result third_law(const Setup& setup, const char* name) {
   return setup.worst_of(name, "of the force", [&](const Path& path) {
     Finding finding{0.0, 4 * setup.options.epsilon};  // a sum and a sign
     for (const Interaction& i : setup.drive_along(path).interactions) {
@@ -67,89 +67,85 @@ inline Result third_law(const Setup& setup) {
 
 /// Angular momentum about the centre of body 1: the torques and the moment of the force on body 2 add up to zero. A
 /// couple on one body needs the opposite one on the other.
-inline Result torque_balance(const Setup& setup) {
-  constexpr const char* name = "torque balance";
-  if (!detail::ever(setup, [](const Interaction& i) { return i.torque1 && i.torque2; })) return not_offered(name);
+inline Result torque_balance(const Setup& setup, const char* name) {
   return setup.worst_of(name, "of force times distance", [&](const Path& path) {
     const Trajectory trajectory = setup.trajectory(path);
     const Record record = drive(setup.update, trajectory);
+    const double scale = record.largest_force() * setup.scales.length;
     Finding finding{0.0, 100 * setup.options.epsilon};  // some dozen products and sums
     for (std::size_t k = 0; k < path.size(); ++k) {
       const Interaction& i = record.interactions[k];
       if (!i.torque1 || !i.torque2) continue;
       const Vector sum = *i.torque1 + *i.torque2 + trajectory[k].bodies.branch().cross(i.force);
-      finding.add(norm<double>(sum) / (record.largest_force() * setup.scales.length));
+      finding.add(norm<double>(sum) / scale);
     }
     return finding;
   });
 }
 
-inline Result frame_indifference(const Setup& setup) {
-  constexpr const char* name = "frame indifference";
+inline Result frame_indifference(const Setup& setup, const char* name) {
   const Rotation q = Random(setup.options.seed, name).rotation();
-  const auto turned = [&q](const std::optional<Vector>& v) { return v ? std::optional<Vector>(q * *v) : v; };
-  const auto bodies = [&q](Bodies b, double) {
-    for (Body* body : {&b.one, &b.two})
-      *body = {q * body->position, q * body->velocity, q * body->spin, body->radius, body->mass};
-    return b;
+  const auto rotated = [&q](const Body& b) {
+    return Body{q * b.position, q * b.velocity, q * b.spin, b.radius, b.mass};
   };
-  const auto interaction = [&](const Interaction& i) {
-    return Interaction{q * i.force, turned(i.force1), turned(i.torque1), turned(i.torque2), i.bridge_force};
-  };
-  return setup.worst_of(name, "of the largest force",
-                        [&](const Path& path) { return detail::invariance(setup, path, bodies, interaction); });
+  const auto observe = [&](const Instant& i, double) { return Instant{detail::changed(i.bodies, rotated), i.dt}; };
+  const auto turned = [&q](const Vector& v) { return Vector(q.transpose() * v); };
+  return setup.worst_of(name, "of the largest force", [&](const Path& path) {
+    return detail::invariance(setup, path, setup.update, observe,
+                              [&](const Interaction& i) { return detail::changed(i, turned, turned); });
+  });
 }
 
-inline Result galilean_invariance(const Setup& setup) {
-  constexpr const char* name = "Galilean invariance";
+inline Result galilean_invariance(const Setup& setup, const char* name) {
   Random random(setup.options.seed, name);
   const Vector drift = 10 * setup.scales.speed() * random.direction();
   const Vector elsewhere = setup.scales.length * random.direction();
-  const auto bodies = [&](Bodies b, double time) {
-    for (Body* body : {&b.one, &b.two}) {
-      body->position = body->position + elsewhere + drift * time;
-      body->velocity = body->velocity + drift;
-    }
-    return b;
+  const auto observe = [&](const Instant& i, double time) {
+    const auto moved = [&](Body b) {
+      return Body{b.position + elsewhere + drift * time, b.velocity + drift, b.spin, b.radius, b.mass};
+    };
+    return Instant{detail::changed(i.bodies, moved), i.dt};
   };
-  const auto interaction = [](const Interaction& i) { return i; };
-  return setup.worst_of(name, "of the largest force",
-                        [&](const Path& path) { return detail::invariance(setup, path, bodies, interaction); });
-}
-
-inline Result swap_of_bodies(const Setup& setup) {
-  const auto bodies = [](const Bodies& b, double) { return Bodies{b.two, b.one}; };
-  const auto interaction = [](const Interaction& i) {
-    return Interaction{-i.force, {}, i.torque2, i.torque1, i.bridge_force};  // force1 is the third law's
-  };
-  return setup.worst_of("swap of the bodies", "of the largest force",
-                        [&](const Path& path) { return detail::invariance(setup, path, bodies, interaction); });
-}
-
-/// At each step the pair changes its owner, with its history as the law exchanges it.
-inline Result change_of_owner(const Setup& setup) {
-  constexpr const char* name = "change of owner";
-  if (!setup.update.exchanged) return not_offered(name);
   return setup.worst_of(name, "of the largest force", [&](const Path& path) {
-    const Trajectory trajectory = setup.trajectory(path);
-    const double largest = drive(setup.update, trajectory).largest_force();
-    Finding finding{0.0, setup.scales.rounding};
-    ForceUpdate::State state = setup.update.start();
-    for (const auto& [bodies, dt] : trajectory) {
-      ForceUpdate::State other = setup.update.exchanged(state);
-      const Bodies swapped{bodies.two, bodies.one};
-      const Load there = load_of(swapped, setup.update.step(swapped, dt, other));
-      const Load here = load_of(bodies, setup.update.step(bodies, dt, state));
-      finding.add(load_norm(here + there) / largest);
+    return detail::invariance(setup, path, setup.update, observe, [](const Interaction& i) { return i; });
+  });
+}
+
+inline Result swap_of_bodies(const Setup& setup, const char* name) {
+  const auto observe = [](const Instant& i, double) { return Instant{{i.bodies.two, i.bodies.one}, i.dt}; };
+  const auto back = [](const Interaction& i) {
+    return Interaction{-i.force, {}, i.torque2, i.torque1};  // force1 is the third law's
+  };
+  return setup.worst_of(name, "of the largest force",
+                        [&](const Path& path) { return detail::invariance(setup, path, setup.update, observe, back); });
+}
+
+/// Factors of which no product of small powers is another, so that no wrong dimension of a constant cancels.
+inline Result unit_scaling(const Setup& setup, const char* name) {
+  return setup.worst_of(name, "of the largest force", [&](const Path& path) {
+    Finding worst{0.0, setup.scales.rounding};
+    for (const Units& u : {Units{2.1e3, 1, 1}, Units{1, 3.7e3, 1}, Units{1, 1, 5.3e3}, Units{1.3e-3, 1.9e6, 4.1e3},
+                           Units{1.7e6, 2.9e-3, 2.3e-4}, Units{4.3e-2, 1.1e-5, 3.1e-6}}) {
+      const auto scaled = [&u](const Body& b) {
+        return Body{b.position * u.length, b.velocity * u.velocity(), b.spin / u.time, b.radius * u.length,
+                    b.mass * u.mass};
+      };
+      const auto observe = [&](const Instant& i, double) {
+        return Instant{detail::changed(i.bodies, scaled), i.dt * u.time};
+      };
+      const auto force = [&u](const Vector& v) { return Vector(v / u.force()); };
+      const auto torque = [&u](const Vector& v) { return Vector(v / (u.force() * u.length)); };
+      const auto back = [&](const Interaction& i) { return detail::changed(i, force, torque); };
+      worst.add(detail::invariance(setup, path, setup.update.in_units(u), observe, back).error);
     }
-    return finding;
+    return worst;
   });
 }
 
 namespace detail {
 
-/// Sheared and rolled, then turned as one rigid body: the force, and the couple if claimed, must turn with it. Only steps without slip, rolling
-/// and change of overlap are compared.
+/// Sheared and rolled, then turned as one rigid body: the force, and the couple if claimed, must turn with it. Only steps
+/// without slip, rolling and change of overlap are compared.
 inline Finding turned_as_one(const Setup& setup, const Path& path) {
   using std::fabs;
   const Trajectory trajectory = setup.trajectory(path);
@@ -185,14 +181,10 @@ inline Finding turned_as_one(const Setup& setup, const Path& path) {
   return finding;
 }
 
-inline std::vector<Path> turns(const Setup& setup, const char* name, bool twist) {
-  Random random(setup.options.seed, name);
+inline Result rigid_turn(const Setup& setup, const char* name, const char* measure, bool twist) {
   const int steps = twist ? 20 : 200;
   const double overlap = setup.scales.overlap;
-  std::vector<Path> all;
-  for (int k = 0; k < setup.few_paths(); ++k) {
-    const Vector start = random.direction();
-    const Vector about = random.direction_across(start);
+  const auto turns = [&](Random& random, const Vector& start, const Vector& about) {
     const double slip = overlap * random.log_uniform(1e-3, 0.3);
     Path path{setup.move(start, overlap), setup.move(start, overlap, slip * random.direction_across(start))};
     path.back().relative_spin = random.direction_across(start) * (slip / setup.scales.length / path.back().dt);
@@ -201,50 +193,20 @@ inline std::vector<Path> turns(const Setup& setup, const char* name, bool twist)
       path.push_back(setup.move(twist ? start : Vector(turn * start), overlap));
       if (twist) path.back().normal_spin = 1.0 / steps / path.back().dt;
     }
-    set_normal_velocities(path);
-    all.push_back(path);
-  }
-  return all;
+    return path;
+  };
+  return setup.worst_of(name, measure, setup.make_paths(name, setup.few(), turns),
+                        [&](const Path& path) { return turned_as_one(setup, path); });
 }
 
 }  // namespace detail
 
-inline Result rigid_spin(const Setup& setup) {
-  constexpr const char* name = "rigid spin";
-  return setup.worst_of(name, "of the shear force, after a turn of 1 rad", detail::turns(setup, name, false),
-                        [&](const Path& path) { return detail::turned_as_one(setup, path); });
+inline Result rigid_spin(const Setup& setup, const char* name) {
+  return detail::rigid_turn(setup, name, "of the shear force, after a turn of 1 rad", false);
 }
 
-inline Result rigid_twist(const Setup& setup) {
-  constexpr const char* name = "rigid twist";
-  if (!setup.options.claims.follows_twist) return not_claimed(name);
-  return setup.worst_of(name, "of the shear force, after a twist of 1 rad", detail::turns(setup, name, true),
-                        [&](const Path& path) { return detail::turned_as_one(setup, path); });
-}
-
-/// Factors of which no product of small powers is another, so that no wrong dimension of a constant cancels.
-inline Result unit_scaling(const Setup& setup) {
-  constexpr const char* name = "unit scaling";
-  if (!setup.update.in_units) return not_offered(name);
-  return setup.worst_of(name, "of the largest force", [&](const Path& path) {
-    const Trajectory trajectory = setup.trajectory(path);
-    const Record here = drive(setup.update, trajectory);
-    Finding finding{0.0, setup.scales.rounding};
-    for (const Units& u : {Units{2.1e3, 1, 1}, Units{1, 3.7e3, 1}, Units{1, 1, 5.3e3}, Units{1.3e-3, 1.9e6, 4.1e3},
-                           Units{1.7e6, 2.9e-3, 2.3e-4}, Units{4.3e-2, 1.1e-5, 3.1e-6}}) {
-      Trajectory scaled = trajectory;
-      for (Instant& i : scaled) {
-        i.dt *= u.time;
-        for (Body* b : {&i.bodies.one, &i.bodies.two})
-          *b = {b->position * u.length, b->velocity * u.velocity(), b->spin / u.time, b->radius * u.length,
-                b->mass * u.mass};
-      }
-      const Record there = drive(setup.update.in_units(u), scaled);
-      for (std::size_t i = 0; i < path.size(); ++i)
-        finding.add(load_norm(there.loads[i] / u.force() - here.loads[i]) / here.largest_force());
-    }
-    return finding;
-  });
+inline Result rigid_twist(const Setup& setup, const char* name) {
+  return detail::rigid_turn(setup, name, "of the shear force, after a twist of 1 rad", true);
 }
 
 }  // namespace contactlaws::verify
