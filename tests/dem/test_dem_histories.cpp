@@ -3,7 +3,6 @@
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
-#include "make_laws.hpp"
 #include "examples/dem/checkpoint.hpp"
 #include "examples/dem/measures.hpp"
 #include "make_laws.hpp"
