@@ -9,6 +9,7 @@
 
 #include "../examples/dem/simulation.hpp"
 #include "contactlaws/laws.hpp"
+#include "contacts.hpp"
 #include "runs_here.hpp"
 
 namespace {

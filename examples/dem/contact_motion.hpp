@@ -13,8 +13,8 @@ using contactlaws::Ids;
 
 template <class T>
 struct ContactMotion {
-  contactlaws::ContactGeometry<T> geometry;  ///< now
-  contactlaws::ContactKinematics<T> motion;  ///< over the last step
+  contactlaws::ContactGeometry<T> geometry;      ///< now
+  contactlaws::ContactKinematics<T> kinematics;  ///< over the last step
 };
 
 /// Between balls.

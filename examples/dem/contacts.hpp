@@ -2,7 +2,7 @@
 // The contacts of one kind (ball with ball, or wall with ball) under one law. The law is evaluated here:
 //
 //   gather   geometry and motion of each contact from its two bodies      (contact_motion.hpp)
-//   law      step = law.step(pair, motion, history)                       evaluate()
+//   law      contactlaws::evaluate, from histories to new histories        (contactlaws/batch.hpp)
 //   scatter  force and torques of each contact; each body sums its own    add_first(), add_second()
 //
 // One column per quantity, so that a pack of contacts is evaluated at once. Contacts are sorted by the ids of their bodies and
@@ -27,12 +27,18 @@ namespace dem {
 /// As many numbers as the machine computes with at once; one number without xsimd.
 using Pack = contactlaws::PackOf<double>::type;
 
-/// A contact (or a pack of contacts) at one step.
-template <class T, class State>
+/// What the law needs of a contact (or a pack of contacts), and its geometry.
+template <class T>
+struct Input : contactlaws::ContactInput<T> {
+  contactlaws::ContactGeometry<T> geometry;
+};
+
+/// A contact at one step.
+template <class State>
 struct Outcome {
-  contactlaws::ContactGeometry<T> geometry;  ///< now
-  contactlaws::ContactKinematics<T> motion;  ///< over the last step
-  contactlaws::Step<T, State> response;      ///< of the law to that motion
+  contactlaws::ContactGeometry<double> geometry;  ///< now
+  contactlaws::ContactKinematics<double> motion;  ///< over the last step
+  contactlaws::Step<double, State> response;      ///< of the law to that motion
 };
 
 /// Sum over the contacts of a body.
@@ -72,8 +78,8 @@ class Contacts {
   using History = PairHistory<State>;
   static constexpr std::size_t lanes = contactlaws::ScalarTraits<PackT>::lanes;
 
-  // Columns are as long as whole packs: the last is filled with copies of the last contact, which are not read.
   std::vector<Pair> bodies;  ///< of each contact
+  // As long as whole packs: rows beyond size() are not read.
   std::vector<Row> force;    ///< on body 2 [N]
   std::vector<Row> torque1;  ///< on body 1, about its centre [N m]
   std::vector<Row> torque2;  ///< on body 2, about its centre [N m]
@@ -82,11 +88,10 @@ class Contacts {
   std::size_t first(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].first); }
   std::size_t second(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].second); }
 
-  State state(std::size_t contact) const { return state_at<double>(now_, contact); }
+  State state(std::size_t contact) const { return state_at(now_, contact); }
 
-  template <class T>
-  CONTACTLAWS_HD contactlaws::PairProperties<T> pair_at(std::size_t contact) const {
-    return pair_at<T>(pairs(), contact);
+  contactlaws::PairProperties<double> pair(std::size_t contact) const {
+    return pair_.map<double>([contact](const std::vector<double>& c) { return c.size() == 1 ? c[0] : c[contact]; });
   }
 
   /// Largest gap across which a pair acts [m]: none without a history, since contact begins at touch.
@@ -122,7 +127,7 @@ class Contacts {
         unlisted_.push_back({known.bodies, state, state});
       }
     }
-    fill_up();
+    complete_columns();
     for (std::size_t c = 0; c < size(); ++c) {
       set_state(before_, c, listed[c].before);
       set_state(now_, c, listed[c].now);
@@ -134,7 +139,7 @@ class Contacts {
   /// All pairs that are listed or have a history.
   std::vector<History> histories() const {
     std::vector<History> all = unlisted_;
-    for (std::size_t c = 0; c < size(); ++c) all.push_back({bodies[c], state_at<double>(before_, c), state(c)});
+    for (std::size_t c = 0; c < size(); ++c) all.push_back({bodies[c], state_at(before_, c), state(c)});
     return all;
   }
   /// Histories that the next list() takes up.
@@ -146,7 +151,7 @@ class Contacts {
   /// Wets a contact of this overlap [m] if its gap is at most `moisture_gap` [m].
   void make_wet(std::size_t contact, double overlap, double moisture_gap) {
     for (Columns* history : {&before_, &now_}) {
-      State state = state_at<double>(*history, contact);
+      State state = state_at(*history, contact);
       Law::make_wet(state, overlap, moisture_gap);
       set_state(*history, contact, state);
     }
@@ -157,28 +162,34 @@ class Contacts {
 
   /// Evaluates contacts `first` (a multiple of the lanes) to before `last`: forces, torques and new histories.
   template <class Motion>
-  CONTACTLAWS_FLATTEN void evaluate(const Law& law, const Motion& motion, std::size_t first, std::size_t last) {
-    const auto pack_law = law.template cast<PackT>();
-    using PackLaw = typename Law::template Rebind<PackT>;
+  void evaluate(const Law& law, const Motion& motion, std::size_t first, std::size_t last) {
     using PackVec = contactlaws::Vec3<PackT>;
     const Pairs all_pairs = pairs();
-    for (std::size_t c = first; c < last; c += lanes) {
-      const auto outcome = outcome_at<PackT>(pack_law, motion, all_pairs, c);
-      const PackVec& f = outcome.response.force;
-      store(force, c, f);
-      store(torque1, c, PackVec(f.cross(outcome.geometry.arm1)));
-      store(torque2, c, PackVec(outcome.geometry.arm2.cross(f)));
-      std::array<PackT, Law::state_size> values{};
-      PackLaw::store(outcome.response.state, values.data());
-      for (std::size_t i = 0; i < values.size(); ++i)
-        contactlaws::ScalarTraits<PackT>::store(now_[i].data() + c, values[i]);
+    const auto gather = [&](const auto& range) { return input<PackT>(motion, all_pairs, range); };
+    const auto scatter = [this](const auto& range, const Input<PackT>& in, const auto& step) {
+      PackVec on_first = step.force.cross(in.geometry.arm1), on_second = in.geometry.arm2.cross(step.force);
+      if constexpr (decltype(Law::rolling)::acts) {
+        on_first -= step.couple;
+        on_second += step.couple;
+      }
+      store(force, range.first(), step.force);
+      store(torque1, range.first(), on_first);
+      store(torque2, range.first(), on_second);
+    };
+    std::array<const double*, Law::state_size> before;
+    std::array<double*, Law::state_size> after;
+    for (std::size_t i = 0; i < Law::state_size; ++i) {
+      before[i] = before_[i].data();
+      after[i] = now_[i].data();
     }
+    contactlaws::evaluate<Law, PackT>(law, first, last, before, after, gather, scatter);
   }
 
   /// A contact at the last step: a step is pure, so it may be evaluated again for more than its force.
   template <class Motion>
-  Outcome<double, State> outcome(const Law& law, const Motion& motion, std::size_t contact) const {
-    return outcome_at<double>(law, motion, pairs(), contact);
+  Outcome<State> outcome(const Law& law, const Motion& motion, std::size_t contact) const {
+    const Input<double> in = input<double>(motion, pairs(), contactlaws::PackRange<double, true>(contact, 1));
+    return {in.geometry, in.kinematics, law.step(in.pair, in.kinematics, state_at(before_, contact))};
   }
 
   /// Adds the forces and torques of the contacts of which `body` is the first, or the second.
@@ -230,17 +241,16 @@ class Contacts {
     p.template map<double>([&column](double x) { return (*column++)->push_back(x), x; });
   }
 
-  void fill_up() {
+  void complete_columns() {
     if (size_ == 0) return;
-    const std::size_t length = (size_ + lanes - 1) / lanes * lanes;
-    bodies.resize(length, bodies.back());
     for (std::vector<double>* column : pair_columns()) {
       const bool all_equal = std::equal(column->begin() + 1, column->end(), column->begin());
-      column->resize(all_equal ? 1 : length, column->back());
+      if (all_equal) column->resize(1);
     }
     for (Columns* history : {&before_, &now_})
-      for (std::vector<double>& column : *history) column.resize(length);
-    for (std::vector<Row>* rows : {&force, &torque1, &torque2}) rows->resize(length);
+      for (std::vector<double>& column : *history) column.resize(size_);
+    const std::size_t whole_packs = (size_ + lanes - 1) / lanes * lanes;
+    for (std::vector<Row>* rows : {&force, &torque1, &torque2}) rows->resize(whole_packs);
   }
 
   Pairs pairs() const {
@@ -248,37 +258,27 @@ class Contacts {
       return c.size() == 1 ? contactlaws::Column<double>(c[0]) : contactlaws::Column<double>(c.data());
     });
   }
-  template <class T>
-  CONTACTLAWS_HD static contactlaws::PairProperties<T> pair_at(const Pairs& pairs, std::size_t contact) {
-    return pairs.map<T>([contact](const contactlaws::Column<double>& column) {
-      return column.array() ? contactlaws::ScalarTraits<T>::load(column.array() + contact) : T(column.same());
-    });
-  }
-
-  template <class T>
-  CONTACTLAWS_HD static typename Law::template Rebind<T>::State state_at(const Columns& history, std::size_t contact) {
-    std::array<T, Law::state_size> values{};
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = contactlaws::ScalarTraits<T>::load(history[i].data() + contact);
-    return Law::template Rebind<T>::load(values.data());
+  static State state_at(const Columns& history, std::size_t contact) {
+    std::array<double, Law::state_size> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = history[i][contact];
+    return Law::load(values.data());
   }
 
   CONTACTLAWS_HD static void store(std::vector<Row>& rows, std::size_t first, const contactlaws::Vec3<PackT>& v) {
     contactlaws::store_rows<PackT>(rows[first].data(), {v.x(), v.y(), v.z(), PackT(0.0)});
   }
 
-  /// One contact (T = double), or the pack that starts with it.
-  template <class T, class LawT, class Motion>
-  CONTACTLAWS_HD Outcome<T, typename LawT::State> outcome_at(const LawT& law, const Motion& motion,
-                                                             const Pairs& all_pairs, std::size_t contact) const {
+  /// Input of the law for the contacts of a range.
+  template <class T, class Motion, class Range>
+  CONTACTLAWS_HD Input<T> input(const Motion& motion, const Pairs& all_pairs, const Range& range) const {
     Ids<T> one, two;
     for (std::size_t l = 0; l < one.size(); ++l) {
-      one[l] = first(contact + l);
-      two[l] = second(contact + l);
+      one[l] = first(range[l]);
+      two[l] = second(range[l]);
     }
     const ContactMotion<T> moved = motion.template at<T>(one, two);
-    return {moved.geometry, moved.motion,
-            law.step(pair_at<T>(all_pairs, contact), moved.motion, state_at<T>(before_, contact))};
+    return {{all_pairs.template map<T>([&range](const auto& column) { return range.load(column); }), moved.kinematics},
+            moved.geometry};
   }
 };
 

@@ -31,16 +31,22 @@ inline contactlaws::PairProperties<double> like_pair(const contactlaws::ContactB
   return contactlaws::pair_properties(ball, other);
 }
 
+/// The stiffness of a new contact at this overlap, in radii.
+template <class Law>
+contactlaws::ContactStiffness<double> stiffness_at(const Law& law, const contactlaws::PairProperties<double>& pair,
+                                                   double overlap_in_radii) {
+  return law.stiffness(pair, pair.min_radius * overlap_in_radii, {});
+}
 /// Whether a law is a linear spring: its stiffness does not grow with the overlap.
 template <class Law>
 bool is_linear(const Law& law, const contactlaws::PairProperties<double>& pair) {
-  return law.stiffness(pair, pair.min_radius / 10.0, {}).normal <= law.stiffness(pair, 0.0, {}).normal;
+  return stiffness_at(law, pair, 0.1).normal <= stiffness_at(law, pair, 0.01).normal;
 }
 
 }  // namespace detail
 
 /// Largest step [s], before a safety factor (contactlaws/timestep.hpp): the stable step for the contacts that act, and for
-/// each ball as if it barely touched its like; and a tenth of the duration of the shortest impact that the present speeds
+/// each ball as if it touched its like at an overlap of 2e-4 radii; and a tenth of the duration of the shortest impact that the present speeds
 /// allow. That is each ball against one of its size and of the stiffest material in the scene, at the sum of its speed and
 /// the largest in the scene. (Against a wall or a larger ball an impact lasts longer, to 1.15 times at equal speed.)
 template <class Scene>
@@ -52,7 +58,7 @@ double stable_time_step(Scene& scene) {
       scene, [&stiffness](const auto& law, const auto& contacts, std::size_t c, const auto& outcome, bool ball_first) {
         if (!outcome.response.active) return;
         const contactlaws::ContactGeometry<double>& geometry = outcome.geometry;
-        const auto k = law.stiffness(contacts.template pair_at<double>(c), geometry.overlap, contacts.state(c));
+        const auto k = law.stiffness(contacts.pair(c), geometry.overlap, contacts.state(c));
         if (ball_first) stiffness[contacts.first(c)].add(k, geometry.normal, geometry.arm1.norm());
         stiffness[contacts.second(c)].add(k, geometry.normal, geometry.arm2.norm());
       });
@@ -75,7 +81,7 @@ double stable_time_step(Scene& scene) {
     if (!(side.normal_compliance > 0.0)) continue;  // two rigid balls have no stiffness
     const auto like = detail::like_pair(side, side);
     contactlaws::BodyStiffness<double> touching;
-    touching.add(scene.ball_law.stiffness(like, 0.0, {}), Vec3::UnitX(), balls.radius[b]);
+    touching.add(detail::stiffness_at(scene.ball_law, like, 2e-4), Vec3::UnitX(), balls.radius[b]);
     step = contactlaws::stable_time_step(balls.mass[b], balls.inertia[b], touching, step);
     const double speed = balls.velocity[b].norm() + fastest;
     if (speed > 0.0 && !(detail::is_linear(scene.ball_law, like) && detail::is_linear(scene.wall_law, like)))

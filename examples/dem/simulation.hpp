@@ -134,10 +134,10 @@ class Simulation {
   }
 
   /// A contact at the last step: geometry, motion, response of the law. Bodies must be as that step left them.
-  Outcome<double, typename BallLaw::State> ball_contact(std::size_t contact) const {
+  Outcome<typename BallLaw::State> ball_contact(std::size_t contact) const {
     return ball_contacts.outcome(ball_law, ball_motion(), contact);
   }
-  Outcome<double, typename WallLaw::State> wall_contact(std::size_t contact) const {
+  Outcome<typename WallLaw::State> wall_contact(std::size_t contact) const {
     return wall_contacts.outcome(wall_law, wall_motion(), contact);
   }
 
@@ -156,7 +156,7 @@ class Simulation {
   /// Warns of an overlap of more than a tenth of the smaller radius.
   template <class Contacts>
   void warn_of_overlap(const Contacts& contacts, const char* first_kind, std::size_t c, double overlap) const {
-    const double allowed = contacts.template pair_at<double>(c).min_radius / 10.0;
+    const double allowed = contacts.pair(c).min_radius / 10.0;
     if (overlap > allowed)
       *log << "warning: " << first_kind << ' ' << contacts.first(c) << " and ball " << contacts.second(c)
            << " start with an overlap of " << overlap << " m, more than a tenth of the smaller radius (" << allowed

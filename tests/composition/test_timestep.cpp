@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
+#include "oracle.hpp"
 #include "random.hpp"
 
 namespace contactlaws::test {
@@ -73,6 +74,34 @@ TEST_CASE("Time step: below it a pair on a spring oscillates, beyond twice it ex
   CHECK(largest(0.2 * step) < 1.2e-4);
   CHECK(largest(1.95 * step) < 1e-3);
   CHECK(largest(2.05 * step) > 0.1);
+}
+
+TEST_CASE("Impact: overlap and duration of the published impacts") {
+  // Two glass spheres at +-10 m/s; an aluminium sphere on a rigid plane at 0.2 m/s (Chung & Ooi 2011, tests 1 and 2).
+  const ElasticMaterial<double> glass{48e9, 0.20, 2800.0}, aluminium{70e9, 0.30, 2699.0};
+  const auto spheres = pair_properties(sphere(glass, 10e-3), sphere(glass, 10e-3));
+  CHECK(impact_overlap(spheres, 20.0) == Approx(274.1127e-6).epsilon(2e-7));  // digits printed
+  CHECK(impact_duration(spheres, 20.0) == Approx(40.33945e-6).epsilon(2e-7));
+  const auto on_plane = pair_properties(plane(aluminium).rigid(), sphere(aluminium, 100e-3));
+  CHECK(impact_overlap(on_plane, 0.2) == Approx(49.71718e-6).epsilon(2e-7));
+  CHECK(impact_duration(on_plane, 0.2) == Approx(731.6566e-6).epsilon(2e-7));
+}
+
+TEST_CASE("Impact: the overlap stores the kinetic energy, and the duration scales with it, to the errors stated") {
+  Random random;
+  Worst overlap("impact overlap"), duration("impact duration");
+  const Binary200 factor("2.9432751843247046573817873000829227262");  // 4 sqrt(pi) Gamma(2/5) / (5 Gamma(9/10))
+  for (int i = 0; i < test::cases(20000); ++i) {
+    const PairProperties<double> pair = random_pair(random);
+    const double speed = random.log_uniform(1e-6, 1e3);
+    const Binary200 exact = impact_overlap(pair.cast<Binary200>(), Binary200(speed));
+    overlap.see(ulps(impact_overlap(pair, speed), exact), pair.effective_radius, speed);
+    duration.see(ulps(impact_duration(pair, speed), Binary200(factor * exact / speed)), pair.effective_radius, speed);
+    const double kinetic = pair.effective_mass * speed * speed / 2.0;
+    CHECK(hertz_energy(pair, static_cast<double>(exact)) == Approx(kinetic).epsilon(1e-14));  // 20 roundings
+  }
+  CHECK(overlap.error() <= 4.0);
+  CHECK(duration.error() <= 5.0);
 }
 
 }  // namespace contactlaws::test

@@ -3,9 +3,9 @@
 
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
-#include "make_laws.hpp"
 #include "examples/dem/checkpoint.hpp"
 #include "examples/dem/measures.hpp"
+#include "make_laws.hpp"
 
 using namespace contactlaws;
 using dem::Ball;
@@ -121,7 +121,7 @@ TEST_CASE("a contact follows a ball that grows, and a body that changes its mate
   scene.step();
   CHECK(scene.balls.force[1].z() == Approx(hertz_force(radius, grown, overlap)).epsilon(eps));
   CHECK(scene.balls.mass[1] == Approx(2500.0 * 4.0 / 3.0 * pi<double>() * std::pow(grown, 3)).epsilon(1e-14));
-  CHECK(scene.ball_contacts.pair_at<double>(0).effective_mass ==
+  CHECK(scene.ball_contacts.pair(0).effective_mass ==
         Approx(1.0 / (1.0 / scene.balls.mass[0] + 1.0 / scene.balls.mass[1])).epsilon(1e-14));
   CHECK(scene.balls.inertia[1] == Approx(0.4 * scene.balls.mass[1] * grown * grown).epsilon(1e-14));
 
@@ -195,7 +195,7 @@ TEST_CASE("a restart keeps the history of a pair that is not listed") {
   CHECK(scene.ball_contacts.size() == 0);
   scene.drive(1, {0.0, 0.0, -100.0});
   check_restart(scene, build, 99);
-  const auto pair = scene.ball_contacts.pair_at<double>(0);
+  const auto pair = scene.ball_contacts.pair(0);
   const double virgin = scene.ball_law.step(pair, {V::UnitZ(), 20e-6, V::Zero(), 0.0}, {}).force.z();
   CHECK(scene.balls.force[1].z() < 0.1 * virgin);  // an overlap of 20 um on the flattened spot
 }

@@ -203,3 +203,49 @@ TEST_CASE("S3: equal spheres with equal opposite spin keep both, exactly") {
     CHECK(v.z() == 0.0);
   }
 }
+
+TEST_CASE("a rolling ball stops after v0 / (5/7 mu_r g) and stays") {
+  const ElasticMaterial<double> material{1e8, 0.3, 2500.0};
+  const double radius = 5e-3, gravity = 9.81, speed = 0.05, rolling_friction = 0.02;
+  ContactLaw<Hertz<double>, Dashpots<double>, ShearForce<double>, Dry<double>, RollingSpring<double>> law;
+  law.damping.damping_constant = 0.3;
+  law.shear.friction = 0.5;
+  law.rolling.rolling_friction = rolling_friction;
+  const auto pair = pair_properties(plane(material), sphere(material, radius));
+  const double stiffness = 4.0 / 3.0 * pair.effective_young * std::sqrt(radius);
+  const double sunk = std::pow(gravity * pair.effective_mass / stiffness, 2.0 / 3.0);
+  for (const bool along_y : {false, true}) {
+    dem::Simulation<decltype(law)> scene(law);
+    scene.add(dem::Wall{plane(material), V::Zero(), V::UnitZ()});
+    const V direction = along_y ? V(0.0, 1.0, 0.0) : V(0.6, -0.8, 0.0);
+    scene.add(Ball{sphere(material, radius),
+                   {0.0, 0.0, radius - sunk},
+                   speed * direction,
+                   V::UnitZ().cross(direction) * speed / radius});
+    scene.gravity = {0.0, 0.0, -gravity};
+    scene.time_step = 1e-5;
+    const double stops_at = speed / (5.0 / 7.0 * rolling_friction * gravity);
+    while (scene.balls.velocity[0].dot(direction) > 0.0 && scene.time < 2.0 * stops_at) scene.step();
+    // The couple grows over the first 0.3 sunk/mu_r of the way, and the arm is R - o/2: together 5e-4.
+    CHECK(scene.time == Approx(stops_at).epsilon(1e-3));
+    const V stopped = scene.balls.position[0];
+    while (scene.time < 1.5 * stops_at) scene.step();
+    CHECK((scene.balls.position[0] - stopped).norm() < sunk / rolling_friction);  // the spring's own way
+  }
+}
+
+TEST_CASE("couples of a contact are opposite on its two balls") {
+  ContactLaw<Hertz<double>, NoDashpots<double>, Frictionless<double>, Dry<double>, RollingSpring<double>> law;
+  law.rolling.rolling_friction = 0.1;
+  const ElasticMaterial<double> material{1e8, 0.3, 2500.0};
+  for (const double sign : {1.0, -1.0}) {
+    dem::Simulation<decltype(law)> scene(law);
+    scene.add(Ball{sphere(material, 5e-3), V::Zero(), V::Zero(), {0.0, sign * 1.0, 0.0}});
+    scene.add(Ball{sphere(material, 5e-3), {9.99e-3, 0.0, 0.0}, V::Zero(), {0.0, -sign * 3.0, 0.0}});
+    scene.time_step = 1e-7;
+    for (int i = 0; i < 10; ++i) scene.step();
+    CHECK(scene.balls.torque[0] == -scene.balls.torque[1]);
+    CHECK(scene.balls.torque[1].y() * sign > 0.0);  // against the relative spin of ball 1, -4 rad/s
+    CHECK(scene.balls.torque[1] == scene.ball_contact(0).response.couple);
+  }
+}

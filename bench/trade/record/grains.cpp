@@ -45,7 +45,7 @@ int record(const std::string& name) {
     scene.step();
     for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {
       const auto motion = scene.ball_contact(c).motion;
-      if (-motion.overlap <= scene.ball_law.interaction_range(scene.ball_contacts.pair_at<double>(c)))
+      if (-motion.overlap <= scene.ball_law.interaction_range(scene.ball_contacts.pair(c)))
         recording.add(scene.ball_contacts.bodies[c], motion);
     }
     recording.end_step();
