@@ -46,7 +46,7 @@ int measure(const Arguments& arguments) {
       fail({file}, "[pair] must have bodies here: the families of motion move them");
     check_measured(laws.back().second);
   }
-  std::filesystem::create_directories(directory);
+  common::OutputFolder folder(directory);
   Effort effort;
   effort.repetitions = arguments.repetitions;
   std::vector<Measurement> rows;
@@ -60,7 +60,7 @@ int measure(const Arguments& arguments) {
     }
   }
   if (common::stop_requested()) return common::stop_status();
-  write_table(directory, rows,
+  write_table(folder, rows,
               {{"processor", processor()},
                {"compiler", TRADE_COMPILER},
                {"lanes", contactlaws::ScalarTraits<contactlaws::PackOf<double>::type>::lanes}});

@@ -41,7 +41,8 @@ class LawFile {
         fail(at(key.source()), "no such key: " + in_quotes(std::string(key.str())) + "; there are " + listed(known));
     LawSpec law;
     for (const Slot& s : slots()) law.*s.chosen = slot(root, s.name, s.laws);
-    law.pair = {{file_}, "[pair]", {}, {}, {}, {}};
+    law.pair.place = {file_};
+    law.pair.title = "[pair]";
     read_pair(root, law);
     check(law);
     if (law.shear.acts()) note_angle(law.shear);
