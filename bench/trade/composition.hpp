@@ -44,7 +44,7 @@ inline std::string describe(const Composition& c) {
 
 /// @throws InputError for what would need more compositions than this program compiles (runs.hpp)
 inline void check_measured(const LawSpec& law) {
-  for (const KeyTable& keys : contact_path::slots()[0].laws)
+  for (const KeyTable& keys : contact_path::slot_tables()[0].laws)
     for (const contact_path::WordKey& key : keys.words)
       if (keys.name == law.normal.law && law.normal.word(key.name) != key.words.front())
         law.normal.refuse(key.name, "= \"" + law.normal.word(key.name) +
@@ -73,7 +73,7 @@ inline LawSpec with_normal(LawSpec law, const KeyTable& keys) {
 /// it has.
 inline std::vector<LawSpec> other_normals(const LawSpec& law) {
   std::vector<LawSpec> others;
-  const std::vector<KeyTable> all = contact_path::slots()[0].laws;
+  const std::vector<KeyTable> all = contact_path::slot_tables()[0].laws;
   const auto own =
       std::find_if(all.begin(), all.end(), [&law](const KeyTable& keys) { return keys.name == law.normal.law; });
   for (auto other = own; other != all.begin();) {

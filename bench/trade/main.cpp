@@ -53,13 +53,12 @@ int measure(const Arguments& arguments) {
   const common::InterruptGuard guard;
   {
     common::Progress progress("trade");
-    for (std::size_t i = 0; i < laws.size() && !common::stop_requested(); ++i) {
+    for (std::size_t i = 0; i < laws.size(); ++i) {
       const auto of_law = [&](double done) { progress.at((double(i) + done) / double(laws.size())); };
       const std::vector<Measurement> more = measure_law(laws[i].first, laws[i].second, effort, of_law);
       rows.insert(rows.end(), more.begin(), more.end());
     }
   }
-  if (common::stop_requested()) return common::stop_status();
   write_table(folder, rows,
               {{"processor", processor()},
                {"compiler", TRADE_COMPILER},

@@ -50,7 +50,7 @@ inline bool within_bound(const Measurement& row) {
   return !row.variant.only_rounds() || row.rounding <= rounding_bound(row.variant.composition.precision);
 }
 
-/// Calls progress(share of the work that is done).
+/// Calls progress(share of the work that is done). @throws Stopped
 template <class Progress>
 std::vector<Measurement> measure_law(const std::string& law_name, const LawSpec& law, const Effort& effort,
                                      const Progress& progress) {
@@ -87,7 +87,7 @@ std::vector<Measurement> measure_law(const std::string& law_name, const LawSpec&
       rows.push_back(row);
       done += 1.0 / double(variants.size() * families().size());
       progress(done);
-      if (common::stop_requested()) return all;
+      common::stop_if_requested();
     }
     mark_pareto(rows);
     all.insert(all.end(), rows.begin(), rows.end());

@@ -105,7 +105,7 @@ void note_doubts(const std::vector<PathStep<T>>& path, const PairProperties<T>& 
 
 }  // namespace detail
 
-/// Ends early if a stop is requested. @throws InputError naming what is wrong in the file, the law or their combination
+/// @throws InputError naming what is wrong in the file, the law or their combination; Stopped
 template <class T>
 void drive(const LawSpec& spec, const std::string& path_file, std::ostream& out) {
   const PairProperties<T> pair = build_pair<T>(spec);
@@ -115,7 +115,8 @@ void drive(const LawSpec& spec, const std::string& path_file, std::ostream& out)
   const auto start = std::chrono::steady_clock::now();
   std::optional<Progress> progress;  // of runs longer than a second
   bool acted = false;
-  for (std::size_t i = 0; i < path.size() && !stop_requested(); ++i) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    stop_if_requested();
     acted = contact.step(path[i], {path_file, path[i].line}) || acted;
     if (!progress && std::chrono::steady_clock::now() - start > std::chrono::seconds(1))
       progress.emplace("contact_path");

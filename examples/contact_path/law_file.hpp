@@ -34,13 +34,13 @@ class LawFile {
   LawSpec read() const {
     const toml::table root = parse();
     std::vector<std::string> known;
-    for (const Slot& s : slots()) known.push_back(s.name);
+    for (const SlotTable& s : slot_tables()) known.push_back(s.name);
     known.push_back("pair");
     for (const auto& [key, node] : root)
       if (!one_of(key.str(), known))
         fail(at(key.source()), "no such key: " + in_quotes(std::string(key.str())) + "; there are " + listed(known));
     LawSpec law;
-    for (const Slot& s : slots()) law.*s.chosen = slot(root, s.name, s.laws);
+    for (const SlotTable& s : slot_tables()) law.*s.chosen = slot(root, s.name, s.laws);
     law.pair.place = {file_};
     law.pair.title = "[pair]";
     read_pair(root, law);

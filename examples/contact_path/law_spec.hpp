@@ -266,22 +266,22 @@ auto with_law(const Laws& laws, const Given<T>& given, const Use& use) {
 }
 
 /// A slot: its name in the file, the law chosen for it, the laws that it may hold. A slot without `none` is required.
-struct Slot {
+struct SlotTable {
   const char* name;
   Chosen LawSpec::*chosen;
   std::vector<KeyTable> laws;
 };
-inline const std::vector<Slot>& slots() {
-  static const std::vector<Slot> all{{"normal", &LawSpec::normal, keys_of(normal_laws())},
-                                     {"damping", &LawSpec::damping, keys_of(damping_laws())},
-                                     {"shear", &LawSpec::shear, keys_of(shear_laws())},
-                                     {"bridge", &LawSpec::bridge, keys_of(bridge_laws())},
-                                     {"rolling", &LawSpec::rolling, keys_of(rolling_laws())}};
+inline const std::vector<SlotTable>& slot_tables() {
+  static const std::vector<SlotTable> all{{"normal", &LawSpec::normal, keys_of(normal_laws())},
+                                          {"damping", &LawSpec::damping, keys_of(damping_laws())},
+                                          {"shear", &LawSpec::shear, keys_of(shear_laws())},
+                                          {"bridge", &LawSpec::bridge, keys_of(bridge_laws())},
+                                          {"rolling", &LawSpec::rolling, keys_of(rolling_laws())}};
   return all;
 }
 /// What converts a coefficient of restitution beside a normal law, where that is known.
 inline std::optional<contactlaws::Spring> spring_of(const Chosen& normal) {
-  for (const KeyTable& keys : slots()[0].laws)
+  for (const KeyTable& keys : slot_tables()[0].laws)
     if (keys.name == normal.law) return keys.spring;
   return {};
 }
@@ -385,7 +385,7 @@ inline void check(LawSpec& law) {
         law.pair.refuse(key, "is missing, must be a number in " + contactlaws::to_string(number.range) + ' ' +
                                  number.unit + ": " + reader + " reads it");
   };
-  for (const Slot& slot : slots())
+  for (const SlotTable& slot : slot_tables())
     for (const KeyTable& keys : slot.laws)
       for (const std::string& property : keys.reads)
         if (keys.name == (law.*slot.chosen).law) needs(property, (law.*slot.chosen).title + ' ' + keys.name);
