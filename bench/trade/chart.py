@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws what `trade` measured: for each law a chart of error against cost, scene by scene.
+"""Draws what `trade` measured: for each law a chart of error against cost, motion by motion.
 
     python3 bench/trade/chart.py [directory]          (default: build/results, where `trade` writes trade.csv)
 

@@ -44,14 +44,11 @@ inline std::string describe(const Composition& c) {
 
 /// @throws InputError for what would need more compositions than this program compiles (runs.hpp)
 inline void check_measured(const LawSpec& law) {
-  const auto only_default = [](const Chosen& chosen, const std::vector<KeyTable>& laws, const std::string& except) {
-    for (const KeyTable& keys : laws)
-      for (const contact_path::WordKey& key : keys.words)
-        if (keys.name == chosen.law && key.name != except && chosen.word(key.name) != key.words.front())
-          chosen.refuse(key.name, "= \"" + chosen.word(key.name) + "\" is not measured here, only the default, \"" +
-                                      key.words.front() + '"');
-  };
-  only_default(law.normal, keys_of(contact_path::normal_laws()), "");
+  for (const KeyTable& keys : contact_path::slot_tables()[0].laws)
+    for (const contact_path::WordKey& key : keys.words)
+      if (keys.name == law.normal.law && law.normal.word(key.name) != key.words.front())
+        law.normal.refuse(key.name, "= \"" + law.normal.word(key.name) +
+                                        "\" is not measured here, only the default, \"" + key.words.front() + '"');
   const auto none = [](const Chosen& chosen, const char* key) {
     if (chosen.has(key)) chosen.refuse(key, "is given, but not measured here");
   };
@@ -76,7 +73,7 @@ inline LawSpec with_normal(LawSpec law, const KeyTable& keys) {
 /// it has.
 inline std::vector<LawSpec> other_normals(const LawSpec& law) {
   std::vector<LawSpec> others;
-  const std::vector<KeyTable> all = keys_of(contact_path::normal_laws());
+  const std::vector<KeyTable> all = contact_path::slot_tables()[0].laws;
   const auto own =
       std::find_if(all.begin(), all.end(), [&law](const KeyTable& keys) { return keys.name == law.normal.law; });
   for (auto other = own; other != all.begin();) {
@@ -93,18 +90,13 @@ inline std::vector<LawSpec> other_normals(const LawSpec& law) {
   return others;
 }
 
-inline std::vector<std::string> names_of(const std::vector<KeyTable>& laws) {
-  std::vector<std::string> names;
-  for (const KeyTable& keys : laws) names.push_back(keys.name);
-  return names;
-}
 /// The other shear histories of a law with shear, and the other ways to rotate them.
 inline std::vector<LawSpec> other_histories(const LawSpec& law) {
   std::vector<LawSpec> others;
-  for (const std::string& history : names_of(keys_of(contact_path::shear_laws()))) {
-    if (!law.shear.acts() || history == "none" || history == law.shear.law) continue;
+  for (const KeyTable& history : keys_of(contact_path::shear_laws())) {
+    if (!law.shear.acts() || history.name == "none" || history.name == law.shear.law) continue;
     others.push_back(law);
-    others.back().shear.law = history;
+    others.back().shear.law = history.name;
   }
   return others;
 }

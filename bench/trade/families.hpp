@@ -137,7 +137,7 @@ inline Trajectories make_trajectories(const std::string& family, const contact_p
       }
     } else {
       duration = slow;
-      const double rupture = law.bridge.acts() ? contact_path::build_law<double>(law, pair).interaction_range(pair)
+      const double rupture = law.bridge.acts() ? contact_path::build_law<double>(law, pair)->interaction_range(pair)
                                                : 2.0 * pair.min_radius;
       const double near = 0.3 * rupture, far = 1.3 * rupture;
       const double quarter = slow * 60.5 / double(steps);

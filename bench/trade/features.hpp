@@ -84,7 +84,7 @@ inline Findings findings(const Use& use, const LawSpec& law, double tolerance) {
   };
   const auto pair = contact_path::build_pair<double>(law);
   if (law.bridge.acts()) {
-    const double range = contact_path::build_law<double>(law, pair).interaction_range(pair);
+    const double range = contact_path::build_law<double>(law, pair)->interaction_range(pair);
     const std::string in_mm = number(range * 1e3) + " mm";
     const bool near = use.touching > 0 || use.nearest_gap < range;
     if (!law.bridge.is("wet")) {

@@ -46,21 +46,20 @@ int measure(const Arguments& arguments) {
       fail({file}, "[pair] must have bodies here: the families of motion move them");
     check_measured(laws.back().second);
   }
-  std::filesystem::create_directories(directory);
+  common::OutputFolder folder(directory);
   Effort effort;
   effort.repetitions = arguments.repetitions;
   std::vector<Measurement> rows;
   const common::InterruptGuard guard;
   {
     common::Progress progress("trade");
-    for (std::size_t i = 0; i < laws.size() && !common::stop_requested(); ++i) {
+    for (std::size_t i = 0; i < laws.size(); ++i) {
       const auto of_law = [&](double done) { progress.at((double(i) + done) / double(laws.size())); };
       const std::vector<Measurement> more = measure_law(laws[i].first, laws[i].second, effort, of_law);
       rows.insert(rows.end(), more.begin(), more.end());
     }
   }
-  if (common::stop_requested()) return common::stop_status();
-  write_table(directory, rows,
+  write_table(folder, rows,
               {{"processor", processor()},
                {"compiler", TRADE_COMPILER},
                {"lanes", contactlaws::ScalarTraits<contactlaws::PackOf<double>::type>::lanes}});

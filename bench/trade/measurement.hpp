@@ -50,7 +50,7 @@ inline bool within_bound(const Measurement& row) {
   return !row.variant.only_rounds() || row.rounding <= rounding_bound(row.variant.composition.precision);
 }
 
-/// Calls progress(share of the work that is done).
+/// Calls progress(share of the work that is done). @throws Stopped
 template <class Progress>
 std::vector<Measurement> measure_law(const std::string& law_name, const LawSpec& law, const Effort& effort,
                                      const Progress& progress) {
@@ -87,7 +87,7 @@ std::vector<Measurement> measure_law(const std::string& law_name, const LawSpec&
       rows.push_back(row);
       done += 1.0 / double(variants.size() * families().size());
       progress(done);
-      if (common::stop_requested()) return all;
+      common::stop_if_requested();
     }
     mark_pareto(rows);
     all.insert(all.end(), rows.begin(), rows.end());
@@ -95,46 +95,45 @@ std::vector<Measurement> measure_law(const std::string& law_name, const LawSpec&
   return all;
 }
 
-/// @throws InputError naming the file that cannot be written
-inline void write_table(const std::string& directory, const std::vector<Measurement>& rows,
+/// trade.csv and trade.json, with the same columns. @throws InputError naming the file that cannot be written
+inline void write_table(common::OutputFolder& folder, const std::vector<Measurement>& rows,
                         const nlohmann::ordered_json& machine) {
-  common::OutputFile csv(directory + "/trade.csv");
-  csv.stream() << "law,motion,axis,variant,composition,ns,state_bytes,largest_error,rms_error,energy_error,rounding,"
-                  "rounding_bound,drift,pareto\n";
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  csv.stream().precision(4);
-  for (const Measurement& r : rows) {
-    const std::string composition = describe(r.variant.composition);
-    const auto or_null = [](double x) {
-      return std::isnan(x) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(x);
-    };
-    csv.stream() << r.law << ',' << r.motion << ',' << r.variant.axis << ",\"" << r.variant.name << "\",\""
-                 << composition << "\"," << r.ns << ',' << r.bytes << ',' << r.errors.largest << ',' << r.errors.rms
-                 << ',' << r.errors.energy << ',';
-    if (r.variant.only_rounds())
-      csv.stream() << r.rounding << ',' << rounding_bound(r.variant.composition.precision) << ',';
-    else
-      csv.stream() << ",,";
-    if (!std::isnan(r.drift)) csv.stream() << r.drift;
-    csv.stream() << ',' << (r.pareto ? "yes" : "no") << '\n';
-    list.push_back({{"law", r.law},
-                    {"motion", r.motion},
-                    {"axis", r.variant.axis},
-                    {"variant", r.variant.name},
-                    {"composition", composition},
-                    {"ns", r.ns},
-                    {"state_bytes", r.bytes},
-                    {"largest_error", r.errors.largest},
-                    {"rms_error", r.errors.rms},
-                    {"energy_error", r.errors.energy},
-                    {"rounding", or_null(r.rounding)},
-                    {"drift", or_null(r.drift)},
-                    {"pareto", r.pareto}});
+  using Json = nlohmann::ordered_json;
+  const auto or_null = [](double x) { return std::isnan(x) ? Json(nullptr) : Json(x); };
+  Json list = Json::array();
+  for (const Measurement& r : rows)
+    list.push_back(
+        {{"law", r.law},
+         {"motion", r.motion},
+         {"axis", r.variant.axis},
+         {"variant", r.variant.name},
+         {"composition", describe(r.variant.composition)},
+         {"ns", r.ns},
+         {"state_bytes", r.bytes},
+         {"largest_error", or_null(r.errors.largest)},
+         {"rms_error", or_null(r.errors.rms)},
+         {"energy_error", or_null(r.errors.energy)},
+         {"rounding", or_null(r.rounding)},
+         {"rounding_bound", r.variant.only_rounds() ? Json(rounding_bound(r.variant.composition.precision)) : Json()},
+         {"drift", or_null(r.drift)},
+         {"pareto", r.pareto}});
+
+  std::ostream& csv = folder.file("trade.csv");
+  csv.precision(4);
+  for (const auto& column : list.at(0).items()) csv << (column.key() == "law" ? "" : ",") << column.key();
+  for (const Json& row : list) {
+    const char* separator = "\n";
+    for (const Json& cell : row) {
+      csv << separator;
+      separator = ",";
+      if (cell.is_number()) csv << cell.get<double>();
+      if (cell.is_boolean()) csv << (cell.get<bool>() ? "yes" : "no");
+      if (cell.is_string()) csv << cell;  // in quotes
+    }
   }
-  csv.complete();
-  common::OutputFile json(directory + "/trade.json");
-  json.stream() << nlohmann::ordered_json{{"machine", machine}, {"rows", list}}.dump(1) << '\n';
-  json.complete();
+  csv << '\n';
+  folder.file("trade.json") << Json{{"machine", machine}, {"rows", list}}.dump(1) << '\n';
+  folder.complete();
 }
 
 }  // namespace trade

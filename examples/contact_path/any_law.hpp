@@ -58,63 +58,52 @@ class AnyNormal {
   static constexpr std::array<StateValue, room> state_values() { return {}; }
 
   template <class Law>
-  explicit AnyNormal(const Law& law) : law_(std::make_shared<Model<Law>>(law)) {}
+  explicit AnyNormal(const Law& law) : names(detail::names_of<Law, room>()) {
+    constexpr bool pulls = contactlaws::detail::adheres<Law>;
+    const auto received = [](const T& overlap) { return pulls ? overlap : contactlaws::positive_part<T>(overlap); };
+    respond_ = [law, received](T* values, const PairProperties<T>& pair, const T& overlap) {
+      typename Law::State state = detail::load<Law, T>(values);
+      const Response response = complete(law.respond(state, pair, received(overlap)));
+      detail::store<Law, T>(state, values);
+      return response;
+    };
+    energy_ = [law, received](const T* values, const PairProperties<T>& pair, const T& overlap) {
+      return law.energy(detail::load<Law, T>(values), pair, received(overlap));
+    };
+    if constexpr (pulls) {
+      touches_ = [law](const T* values, const PairProperties<T>& pair, const T& overlap) {
+        return law.touches(detail::load<Law, T>(values), pair, overlap);
+      };
+      range_ = [law](const PairProperties<T>& pair) { return law.range(pair); };
+    } else {
+      touches_ = [](const T*, const PairProperties<T>&, const T& overlap) { return !(overlap <= T(0)); };
+      range_ = [](const PairProperties<T>&) { return T(0); };
+    }
+  }
+
+  std::array<StateValue, room> names;
 
   Response respond(State& state, const PairProperties<T>& pair, const T& overlap) const {
-    return law_->respond(state.normal.data(), pair, overlap);
+    return respond_(state.normal.data(), pair, overlap);
   }
   T energy(const State& state, const PairProperties<T>& pair, const T& overlap) const {
-    return law_->energy(state.normal.data(), pair, overlap);
+    return energy_(state.normal.data(), pair, overlap);
   }
   bool touches(const State& state, const PairProperties<T>& pair, const T& overlap) const {
-    return law_->touches(state.normal.data(), pair, overlap);
+    return touches_(state.normal.data(), pair, overlap);
   }
-  T range(const PairProperties<T>& pair) const { return law_->range(pair); }
-  std::array<StateValue, room> names() const { return law_->names(); }
+  T range(const PairProperties<T>& pair) const { return range_(pair); }
 
  private:
-  struct Interface {
-    virtual ~Interface() = default;
-    virtual Response respond(T* state, const PairProperties<T>& pair, const T& overlap) const = 0;
-    virtual T energy(const T* state, const PairProperties<T>& pair, const T& overlap) const = 0;
-    virtual bool touches(const T* state, const PairProperties<T>& pair, const T& overlap) const = 0;
-    virtual T range(const PairProperties<T>& pair) const = 0;
-    virtual std::array<StateValue, room> names() const = 0;
-  };
+  static Response complete(const Response& response) { return response; }
+  static Response complete(const contactlaws::HertzResponse<T>& response) { return {response, T(0)}; }
+  /// Without a contact radius there is no Mindlin stiffness: check() in law_spec.hpp refuses the two together.
+  static Response complete(const contactlaws::NormalResponse<T>& response) { return {{response, T(0)}, T(0)}; }
 
-  template <class Law>
-  struct Model final : Interface {
-    static constexpr bool pulls = contactlaws::detail::adheres<Law>;
-    Law law;
-    explicit Model(const Law& l) : law(l) {}
-
-    Response respond(T* values, const PairProperties<T>& pair, const T& overlap) const override {
-      typename Law::State state = detail::load<Law, T>(values);
-      const auto response = law.respond(state, pair, received(overlap));
-      detail::store<Law, T>(state, values);
-      return complete(response);
-    }
-    T energy(const T* values, const PairProperties<T>& pair, const T& overlap) const override {
-      return law.energy(detail::load<Law, T>(values), pair, received(overlap));
-    }
-    bool touches(const T* values, const PairProperties<T>& pair, const T& overlap) const override {
-      if constexpr (pulls) return law.touches(detail::load<Law, T>(values), pair, overlap);
-      return !(overlap <= T(0));
-    }
-    T range(const PairProperties<T>& pair) const override {
-      if constexpr (pulls) return law.range(pair);
-      return T(0);
-    }
-    std::array<StateValue, room> names() const override { return detail::names_of<Law, room>(); }
-
-    static T received(const T& overlap) { return pulls ? overlap : contactlaws::positive_part<T>(overlap); }
-    static Response complete(const Response& response) { return response; }
-    static Response complete(const contactlaws::HertzResponse<T>& response) { return {response, T(0)}; }
-    /// Without a contact radius there is no Mindlin stiffness: check() in law_spec.hpp refuses the two together.
-    static Response complete(const contactlaws::NormalResponse<T>& response) { return {{response, T(0)}, T(0)}; }
-  };
-
-  std::shared_ptr<const Interface> law_;
+  std::function<Response(T*, const PairProperties<T>&, const T&)> respond_;
+  std::function<T(const T*, const PairProperties<T>&, const T&)> energy_;
+  std::function<bool(const T*, const PairProperties<T>&, const T&)> touches_;
+  std::function<T(const PairProperties<T>&)> range_;
 };
 
 template <class T>
@@ -123,49 +112,21 @@ class AnyDamping {
   using Slot = contactlaws::DampingSlot<T>;
   template <class U>
   using Rebind = AnyDamping<U>;
-  using Coefficients = contactlaws::DampingCoefficients<T>;
   static constexpr bool acts = true;
   static constexpr bool damps_shear = true;
 
   template <class Law>
   explicit AnyDamping(const Law& law)
-      : coefficients_(
+      : coefficients(
             [law](const T& mass, const T& normal, const T& shear) { return law.coefficients(mass, normal, shear); }),
-        normal_force_([law](const T& elastic, const T& coefficient, const T& separating) {
+        normal_force([law](const T& elastic, const T& coefficient, const T& separating) {
           return law.normal_force(elastic, coefficient, separating);
         }) {
     static_assert(Law::damps_shear, "without a shear dashpot the shear law takes another branch");
   }
-  Coefficients coefficients(const T& mass, const T& normal, const T& shear) const {
-    return coefficients_(mass, normal, shear);
-  }
-  T normal_force(const T& elastic, const T& coefficient, const T& separating) const {
-    return normal_force_(elastic, coefficient, separating);
-  }
 
- private:
-  std::function<Coefficients(const T&, const T&, const T&)> coefficients_;
-  std::function<T(const T&, const T&, const T&)> normal_force_;
-};
-
-/// Mindlin, ConstantRatio or ElasticRatio.
-template <class T>
-class AnyStiffness {
- public:
-  using Normal = contactlaws::AdhesiveResponse<T>;
-  template <class U>
-  using Rebind = AnyStiffness<U>;
-  static constexpr std::array<contactlaws::Parameter<AnyStiffness, T>, 0> parameters() { return {}; }
-
-  AnyStiffness() = default;
-  template <class Law>
-  explicit AnyStiffness(const Law& law)
-      : stiffness_([law](const PairProperties<T>& pair, const Normal& normal) { return law.stiffness(pair, normal); }) {
-  }
-  T stiffness(const PairProperties<T>& pair, const Normal& normal) const { return stiffness_(pair, normal); }
-
- private:
-  std::function<T(const PairProperties<T>&, const Normal&)> stiffness_;
+  std::function<contactlaws::DampingCoefficients<T>(const T&, const T&, const T&)> coefficients;
+  std::function<T(const T&, const T&, const T&)> normal_force;
 };
 
 template <class T>
@@ -176,7 +137,6 @@ class AnyShear {
   using Rebind = AnyShear<U>;
   using Input = contactlaws::ShearInput<T>;
   using Response = contactlaws::ShearResponse<T>;
-  using Normal = contactlaws::AdhesiveResponse<T>;
   static constexpr bool acts = true;
   static constexpr std::size_t room = 8;
   struct State {
@@ -184,52 +144,38 @@ class AnyShear {
   };
   static constexpr std::array<StateValue, room> state_values() { return {}; }
 
+  /// The history does not read the parameters of the stiffness: one type of it serves all stiffnesses.
   template <contactlaws::Stored stored, contactlaws::Unloading unloading, class Stiffness, class Rotation,
             class Friction>
-  explicit AnyShear(const contactlaws::IncrementalShear<T, stored, unloading, Stiffness, Rotation, Friction>& law) {
-    using Law = contactlaws::IncrementalShear<T, stored, unloading, AnyStiffness<T>, Rotation, Friction>;
-    law_ = std::make_shared<Model<Law>>(Law{AnyStiffness<T>(static_cast<const Stiffness&>(law)), law});
+  explicit AnyShear(const contactlaws::IncrementalShear<T, stored, unloading, Stiffness, Rotation, Friction>& law)
+      : stiffness([law](const PairProperties<T>& pair, const contactlaws::AdhesiveResponse<T>& normal) {
+          return law.stiffness(pair, normal);
+        }) {
+    using History = contactlaws::IncrementalShear<T, stored, unloading, contactlaws::Mindlin<T>, Rotation, Friction>;
+    const History history{{}, law};
+    names = detail::names_of<History, room>();
+    respond_ = [history](T* values, const Input& input, bool damped) {
+      typename History::State state = detail::load<History, T>(values);
+      const Response response =
+          damped ? history.template respond<true>(state, input) : history.template respond<false>(state, input);
+      detail::store<History, T>(state, values);
+      return response;
+    };
+    energy_ = [history](const T* values, const T& k) { return history.energy(detail::load<History, T>(values), k); };
   }
+
+  std::array<StateValue, room> names;
+  std::function<T(const PairProperties<T>&, const contactlaws::AdhesiveResponse<T>&)> stiffness;
 
   template <bool damped>
   Response respond(State& state, const Input& input) const {
-    return law_->respond(state.shear.data(), input, damped);
+    return respond_(state.shear.data(), input, damped);
   }
-  T stiffness(const PairProperties<T>& pair, const Normal& normal) const { return law_->stiffness(pair, normal); }
-  T energy(const State& state, const T& stiffness) const { return law_->energy(state.shear.data(), stiffness); }
-  std::array<StateValue, room> names() const { return law_->names(); }
+  T energy(const State& state, const T& k) const { return energy_(state.shear.data(), k); }
 
  private:
-  struct Interface {
-    virtual ~Interface() = default;
-    virtual Response respond(T* state, const Input& input, bool damped) const = 0;
-    virtual T stiffness(const PairProperties<T>& pair, const Normal& normal) const = 0;
-    virtual T energy(const T* state, const T& stiffness) const = 0;
-    virtual std::array<StateValue, room> names() const = 0;
-  };
-
-  template <class Law>
-  struct Model final : Interface {
-    Law law;
-    explicit Model(const Law& l) : law(l) {}
-
-    Response respond(T* values, const Input& input, bool damped) const override {
-      typename Law::State state = detail::load<Law, T>(values);
-      const Response response =
-          damped ? law.template respond<true>(state, input) : law.template respond<false>(state, input);
-      detail::store<Law, T>(state, values);
-      return response;
-    }
-    T stiffness(const PairProperties<T>& pair, const Normal& normal) const override {
-      return law.stiffness(pair, normal);
-    }
-    T energy(const T* values, const T& stiffness) const override {
-      return law.energy(detail::load<Law, T>(values), stiffness);
-    }
-    std::array<StateValue, room> names() const override { return detail::names_of<Law, room>(); }
-  };
-
-  std::shared_ptr<const Interface> law_;
+  std::function<Response(T*, const Input&, bool)> respond_;
+  std::function<T(const T*, const T&)> energy_;
 };
 
 /// A whole law in numbers of type T. Used as a ContactLaw is; its state is the list of values that state_values() names.
@@ -244,99 +190,86 @@ class AnyLaw {
   };
   static constexpr Rolling rolling{};  ///< EnergyLedger counts the work of the couple
 
-  /// `wet`: contacts start wet, where the law has a bridge.
-  template <class Law>
-  AnyLaw(const Law& law, bool wet) : law_(std::make_shared<Model<Law>>(law, wet)) {}
-
-  State first_state() const { return law_->first_state(); }
-  const std::vector<StateValue>& state_values() const { return law_->state_values(); }
-  Step step(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics, const State& state) const {
-    return law_->step(pair, kinematics, state);
-  }
-  T stored_energy(const PairProperties<T>& pair, const T& overlap, const State& state) const {
-    return law_->stored_energy(pair, overlap, state);
-  }
-  T interaction_range(const PairProperties<T>& pair) const { return law_->interaction_range(pair); }
+  virtual ~AnyLaw() = default;
+  /// Of a new contact: wet, where the law starts wet.
+  virtual State first_state() const = 0;
+  virtual const std::vector<StateValue>& state_values() const = 0;
+  virtual Step step(const PairProperties<T>&, const ContactKinematics<T>&, const State&) const = 0;
+  virtual T stored_energy(const PairProperties<T>&, const T& overlap, const State&) const = 0;
+  virtual T interaction_range(const PairProperties<T>&) const = 0;
   /// Wets the contact where its gap is at most `moisture_gap` [m]. False if the law has no bridge.
-  bool make_wet(State& state, const T& overlap, const T& moisture_gap) const {
-    return law_->make_wet(state, overlap, moisture_gap);
+  virtual bool make_wet(State&, const T& overlap, const T& moisture_gap) const = 0;
+};
+
+namespace detail {
+
+template <class Law, class T>
+class ErasedLaw final : public AnyLaw<T> {
+  using State = std::vector<T>;
+  using LawState = typename Law::State;
+  static constexpr bool has_bridge = decltype(Law::bridge)::acts;
+
+ public:
+  ErasedLaw(const Law& law, bool wet) : law_(law), wet_(wet) {
+    std::size_t i = 0;
+    const auto add = [&](const auto& values) {
+      for (const StateValue& value : values) {
+        if (*value.name != '\0') names_.push_back(value), used_.push_back(i);
+        ++i;
+      }
+    };
+    add(law.normal.names);
+    if constexpr (decltype(Law::shear)::acts) add(law.shear.names);
+    add(law.bridge.state_values());
+    add(law.rolling.state_values());
+  }
+
+  State first_state() const override {
+    State state(used_.size());
+    if (wet_) make_wet(state, T(0), T(0));
+    return state;
+  }
+  const std::vector<StateValue>& state_values() const override { return names_; }
+  typename AnyLaw<T>::Step step(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
+                                const State& state) const override {
+    const auto s = law_.step(pair, kinematics, state_of(state));
+    return {s.force,        s.couple,       values_of(s.state), s.normal_elastic,
+            s.normal_force, s.bridge_force, s.active,           s.sliding};
+  }
+  T stored_energy(const PairProperties<T>& pair, const T& overlap, const State& state) const override {
+    return law_.stored_energy(pair, overlap, state_of(state));
+  }
+  T interaction_range(const PairProperties<T>& pair) const override { return law_.interaction_range(pair); }
+  bool make_wet(State& values, const T& overlap, const T& moisture_gap) const override {
+    if constexpr (has_bridge) {
+      LawState state = state_of(values);
+      Law::make_wet(state, overlap, moisture_gap);
+      values = values_of(state);
+    }
+    return has_bridge;
   }
 
  private:
-  struct Interface {
-    virtual ~Interface() = default;
-    virtual State first_state() const = 0;
-    virtual const std::vector<StateValue>& state_values() const = 0;
-    virtual Step step(const PairProperties<T>&, const ContactKinematics<T>&, const State&) const = 0;
-    virtual T stored_energy(const PairProperties<T>&, const T&, const State&) const = 0;
-    virtual T interaction_range(const PairProperties<T>&) const = 0;
-    virtual bool make_wet(State&, const T&, const T&) const = 0;
-  };
+  LawState state_of(const State& values) const {
+    std::array<T, Law::state_size> all{};
+    for (std::size_t i = 0; i < used_.size(); ++i) all[used_[i]] = values[i];
+    return Law::load(all.data());
+  }
+  State values_of(const LawState& state) const {
+    std::array<T, Law::state_size> all{};
+    Law::store(state, all.data());
+    State values;
+    for (const std::size_t i : used_) values.push_back(all[i]);
+    return values;
+  }
 
-  template <class Law>
-  struct Model final : Interface {
-    using LawState = typename Law::State;
-    const Law law;
-    const bool wet;
-    std::vector<StateValue> names;
-    std::vector<std::size_t> used;  ///< of the values of LawState, those that have a name
-
-    Model(const Law& l, bool starts_wet) : law(l), wet(starts_wet) {
-      std::size_t i = 0;
-      const auto add = [&](const auto& values) {
-        for (const StateValue& value : values) {
-          if (*value.name != '\0') names.push_back(value), used.push_back(i);
-          ++i;
-        }
-      };
-      add(law.normal.names());
-      if constexpr (decltype(Law::shear)::acts) add(law.shear.names());
-      add(law.bridge.state_values());
-      add(law.rolling.state_values());
-    }
-
-    State first_state() const override {
-      LawState state{};
-      if constexpr (decltype(Law::bridge)::acts)
-        if (wet) Law::make_wet(state, T(0), T(0));
-      return values_of(state);
-    }
-    const std::vector<StateValue>& state_values() const override { return names; }
-    Step step(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
-              const State& state) const override {
-      const auto of_law = law.step(pair, kinematics, state_of(state));
-      return {of_law.force,        of_law.couple,       values_of(of_law.state), of_law.normal_elastic,
-              of_law.normal_force, of_law.bridge_force, of_law.active,           of_law.sliding};
-    }
-    T stored_energy(const PairProperties<T>& pair, const T& overlap, const State& state) const override {
-      return law.stored_energy(pair, overlap, state_of(state));
-    }
-    T interaction_range(const PairProperties<T>& pair) const override { return law.interaction_range(pair); }
-    bool make_wet(State& values, const T& overlap, const T& moisture_gap) const override {
-      if constexpr (decltype(Law::bridge)::acts) {
-        LawState state = state_of(values);
-        Law::make_wet(state, overlap, moisture_gap);
-        values = values_of(state);
-      }
-      return decltype(Law::bridge)::acts;
-    }
-
-    LawState state_of(const State& values) const {
-      std::array<T, Law::state_size> all{};
-      for (std::size_t i = 0; i < used.size(); ++i) all[used[i]] = values[i];
-      return Law::load(all.data());
-    }
-    State values_of(const LawState& state) const {
-      std::array<T, Law::state_size> all{};
-      Law::store(state, all.data());
-      State values;
-      for (const std::size_t i : used) values.push_back(all[i]);
-      return values;
-    }
-  };
-
-  std::shared_ptr<const Interface> law_;
+  const Law law_;
+  const bool wet_;
+  std::vector<StateValue> names_;
+  std::vector<std::size_t> used_;  ///< of the values of LawState, those that have a name
 };
+
+}  // namespace detail
 
 /// @throws InputError if the precision cannot hold a value, or the two bodies do not make a pair
 template <class T>
@@ -353,7 +286,7 @@ namespace detail {
 template <class Any>
 inline constexpr auto erase = [](const auto& slot) {
   if constexpr (std::decay_t<decltype(slot)>::acts) {
-    return std::optional<Any>(Any(slot));
+    return std::optional<Any>(slot);
   } else {
     return std::optional<Any>();
   }
@@ -362,7 +295,7 @@ inline constexpr auto erase = [](const auto& slot) {
 
 /// @throws InputError if the precision cannot hold a value
 template <class T>
-AnyLaw<T> build_law(const LawSpec& law, const PairProperties<T>& pair) {
+std::shared_ptr<const AnyLaw<T>> build_law(const LawSpec& law, const PairProperties<T>& pair) {
   const auto given = [&](const Chosen& chosen) { return Given<T>{chosen, pair, law}; };
   try {
     const AnyNormal<T> normal =
@@ -371,11 +304,12 @@ AnyLaw<T> build_law(const LawSpec& law, const PairProperties<T>& pair) {
     const auto shear = with_law(shear_laws(), given(law.shear), detail::erase<AnyShear<T>>);
     return with_law(bridge_laws(), given(law.bridge), [&](const auto& bridge) {
       return with_law(rolling_laws(), given(law.rolling), [&](const auto& rolling) {
-        const auto compose = [&](const auto& dashpots, const auto& friction) {
+        const auto compose = [&](const auto& dashpots, const auto& friction) -> std::shared_ptr<const AnyLaw<T>> {
           using Law =
               contactlaws::ContactLaw<AnyNormal<T>, std::decay_t<decltype(dashpots)>, std::decay_t<decltype(friction)>,
                                       std::decay_t<decltype(bridge)>, std::decay_t<decltype(rolling)>>;
-          return AnyLaw<T>(Law{normal, dashpots, friction, bridge, rolling}, law.bridge.is("wet"));
+          return std::make_shared<detail::ErasedLaw<Law, T>>(Law{normal, dashpots, friction, bridge, rolling},
+                                                             law.bridge.is("wet"));
         };
         const contactlaws::NoDashpots<T> undamped;
         const contactlaws::Frictionless<T> frictionless;

@@ -21,21 +21,21 @@ namespace detail {
 template <class T>
 class Drive {
  public:
-  Drive(const AnyLaw<T>& law, const PairProperties<T>& pair, std::ostream& out)
-      : law_(law), pair_(pair), state_(law.first_state()), out_(out) {
+  Drive(std::shared_ptr<const AnyLaw<T>> law, const PairProperties<T>& pair, std::ostream& out)
+      : law_(std::move(law)), pair_(pair), state_(law_->first_state()), out_(out) {
     out_.precision(17);
     out_ << "step,fx,fy,fz,mx,my,mz,fn_elastic,fn_total,slip,active,stored_energy,dissipated_energy";
-    for (const StateValue& value : law_.state_values()) out_ << ',' << value.name;
+    for (const StateValue& value : law_->state_values()) out_ << ',' << value.name;
     out_ << '\n';
   }
 
   /// Whether the contact is active after the step.
   bool step(const PathStep<T>& now, const Place& place) {
-    if (now.moisture_gap && !law_.make_wet(state_, now.kinematics.overlap, *now.moisture_gap))
+    if (now.moisture_gap && !law_->make_wet(state_, now.kinematics.overlap, *now.moisture_gap))
       fail(place, "column make_wet has a value, but the law has no bridge");
     if (steps_ == 0 || now.moisture_gap) open_ledger(now.kinematics);
-    const auto result = law_.step(pair_, now.kinematics, state_);
-    ledger_.enter(law_, pair_, now.kinematics, result);
+    const auto result = law_->step(pair_, now.kinematics, state_);
+    ledger_.enter(*law_, pair_, now.kinematics, result);
     state_ = result.state;
     ++steps_;
     check(result.force, place);
@@ -57,8 +57,8 @@ class Drive {
   void open_ledger(const ContactKinematics<T>& now) {
     const T overlap = now.overlap + contactlaws::dot<T>(now.velocity, now.normal) * now.dt;
     const Vec3<T> zero(T(0), T(0), T(0));
-    const auto result = law_.step(pair_, {now.normal, overlap, zero, T(0)}, state_);
-    const T stored = law_.stored_energy(pair_, overlap, result.state);
+    const auto result = law_->step(pair_, {now.normal, overlap, zero, T(0)}, state_);
+    const T stored = law_->stored_energy(pair_, overlap, result.state);
     ledger_.stored_at_start = ledger_.stored_at_start + (stored - ledger_.stored);
     ledger_.stored = stored;
     ledger_.last_force = result.force;
@@ -72,7 +72,7 @@ class Drive {
     if (!finite) fail(place, "the force or the energy is out of the range of this precision");
   }
 
-  const AnyLaw<T> law_;
+  const std::shared_ptr<const AnyLaw<T>> law_;
   const PairProperties<T> pair_;
   std::vector<T> state_;
   contactlaws::EnergyLedger<T> ledger_;
@@ -105,7 +105,7 @@ void note_doubts(const std::vector<PathStep<T>>& path, const PairProperties<T>& 
 
 }  // namespace detail
 
-/// Ends early if a stop is requested. @throws InputError naming what is wrong in the file, the law or their combination
+/// @throws InputError naming what is wrong in the file, the law or their combination; Stopped
 template <class T>
 void drive(const LawSpec& spec, const std::string& path_file, std::ostream& out) {
   const PairProperties<T> pair = build_pair<T>(spec);
@@ -115,7 +115,8 @@ void drive(const LawSpec& spec, const std::string& path_file, std::ostream& out)
   const auto start = std::chrono::steady_clock::now();
   std::optional<Progress> progress;  // of runs longer than a second
   bool acted = false;
-  for (std::size_t i = 0; i < path.size() && !stop_requested(); ++i) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    stop_if_requested();
     acted = contact.step(path[i], {path_file, path[i].line}) || acted;
     if (!progress && std::chrono::steady_clock::now() - start > std::chrono::seconds(1))
       progress.emplace("contact_path");

@@ -33,17 +33,16 @@ class LawFile {
 
   LawSpec read() const {
     const toml::table root = parse();
+    std::vector<std::string> known;
+    for (const SlotTable& s : slot_tables()) known.push_back(s.name);
+    known.push_back("pair");
     for (const auto& [key, node] : root)
-      if (!one_of(key.str(), {"normal", "damping", "shear", "bridge", "rolling", "pair"}))
-        fail(at(key.source()), "no such key: " + in_quotes(std::string(key.str())) +
-                                   "; there are normal, damping, shear, bridge, rolling, pair");
-    LawSpec law{slot(root, "normal", keys_of(normal_laws())),
-                slot(root, "damping", keys_of(damping_laws())),
-                slot(root, "shear", keys_of(shear_laws())),
-                slot(root, "bridge", keys_of(bridge_laws())),
-                slot(root, "rolling", keys_of(rolling_laws())),
-                {{file_}, "[pair]", {}, {}, {}, {}},
-                {}};
+      if (!one_of(key.str(), known))
+        fail(at(key.source()), "no such key: " + in_quotes(std::string(key.str())) + "; there are " + listed(known));
+    LawSpec law;
+    for (const SlotTable& s : slot_tables()) law.*s.chosen = slot(root, s.name, s.laws);
+    law.pair.place = {file_};
+    law.pair.title = "[pair]";
     read_pair(root, law);
     check(law);
     if (law.shear.acts()) note_angle(law.shear);

@@ -265,6 +265,27 @@ auto with_law(const Laws& laws, const Given<T>& given, const Use& use) {
   return entry.build(given, use);
 }
 
+/// A slot: its name in the file, the law chosen for it, the laws that it may hold. A slot without `none` is required.
+struct SlotTable {
+  const char* name;
+  Chosen LawSpec::*chosen;
+  std::vector<KeyTable> laws;
+};
+inline const std::vector<SlotTable>& slot_tables() {
+  static const std::vector<SlotTable> all{{"normal", &LawSpec::normal, keys_of(normal_laws())},
+                                          {"damping", &LawSpec::damping, keys_of(damping_laws())},
+                                          {"shear", &LawSpec::shear, keys_of(shear_laws())},
+                                          {"bridge", &LawSpec::bridge, keys_of(bridge_laws())},
+                                          {"rolling", &LawSpec::rolling, keys_of(rolling_laws())}};
+  return all;
+}
+/// What converts a coefficient of restitution beside a normal law, where that is known.
+inline std::optional<contactlaws::Spring> spring_of(const Chosen& normal) {
+  for (const KeyTable& keys : slot_tables()[0].laws)
+    if (keys.name == normal.law) return keys.spring;
+  return {};
+}
+
 /// [pair] with effective values.
 inline const KeyTable& effective_pair() {
   const auto key = [](const char* name, const char* unit, const char* doc) {
@@ -312,12 +333,9 @@ auto DashpotsLaw::operator()(const Given<T>& given, const Use& use) const {
   return choose(chosen.word("tension") == "clipped", [&](auto clipped) {
     constexpr Tension tension = clipped ? Tension::clipped : Tension::allowed;
     const auto with = [&](auto dashpots) {
-      if (chosen.has("restitution")) {
-        for (const KeyTable& normal : keys_of(normal_laws()))
-          if (normal.name == given.law.normal.law)
-            dashpots.damping_constant =
-                damping_constant<T>(chosen.template number<T>("restitution"), normal.spring.value(), tension);
-      }
+      if (chosen.has("restitution"))
+        dashpots.damping_constant =
+            damping_constant<T>(chosen.template number<T>("restitution"), spring_of(given.law.normal).value(), tension);
       return use(checked(chosen.template filled<T>(dashpots)));
     };
     if (chosen.has("shear_damping_constant")) return with(Dashpots<T, tension, ShearDashpot::given>{});
@@ -360,7 +378,6 @@ PairProperties<T> pair_of(const LawSpec& law) {
 /// The checks that need more than one table; sets the stiffness of [shear] where it is left to the normal law.
 /// @throws InputError naming file, line, key and reason
 inline void check(LawSpec& law) {
-  const std::vector<KeyTable> normal_keys = keys_of(normal_laws());
   const auto needs = [&law](const std::string& key, const std::string& reader) {
     if (!law.bodies.empty() || law.pair.has(key)) return;
     for (const NumberKey& number : effective_pair().numbers)
@@ -368,21 +385,15 @@ inline void check(LawSpec& law) {
         law.pair.refuse(key, "is missing, must be a number in " + contactlaws::to_string(number.range) + ' ' +
                                  number.unit + ": " + reader + " reads it");
   };
-  const auto needs_all = [&needs](const Chosen& chosen, const std::vector<KeyTable>& laws) {
-    for (const KeyTable& keys : laws)
+  for (const SlotTable& slot : slot_tables())
+    for (const KeyTable& keys : slot.laws)
       for (const std::string& property : keys.reads)
-        if (keys.name == chosen.law) needs(property, chosen.title + ' ' + chosen.law);
-  };
-  needs_all(law.normal, normal_keys);
-  needs_all(law.damping, keys_of(damping_laws()));
-  needs_all(law.bridge, keys_of(bridge_laws()));
-  needs_all(law.rolling, keys_of(rolling_laws()));
+        if (keys.name == (law.*slot.chosen).law) needs(property, (law.*slot.chosen).title + ' ' + keys.name);
   if (law.normal.has("modulus"))
     for (const char* property : {"min_radius", "length"}) needs(property, "[normal] modulus");
-  for (const KeyTable& keys : normal_keys)
-    if (law.damping.has("restitution") && keys.name == law.normal.law && !keys.spring)
-      law.damping.refuse("restitution", "is given, but beside " + law.normal.law +
-                                            " it depends on the speed of impact: give damping_constant");
+  if (law.damping.has("restitution") && !spring_of(law.normal))
+    law.damping.refuse("restitution", "is given, but beside " + law.normal.law +
+                                          " it depends on the speed of impact: give damping_constant");
   if (!law.shear.acts()) return;
 
   const PairProperties<double> unused{};

@@ -52,11 +52,7 @@ inline void list_all(std::ostream& out) {
   out << "LAW.toml: a slot is a table such as [normal] with law = \"hertz\" and the law's keys, or just normal = "
          "\"hertz\".\n"
          "Slots but normal may be left out. Numbers are in SI units.\n\n";
-  detail::list_slot(out, "normal", keys_of(normal_laws()));
-  detail::list_slot(out, "damping", keys_of(damping_laws()));
-  detail::list_slot(out, "shear", keys_of(shear_laws()));
-  detail::list_slot(out, "bridge", keys_of(bridge_laws()));
-  detail::list_slot(out, "rolling", keys_of(rolling_laws()));
+  for (const SlotTable& slot : slot_tables()) detail::list_slot(out, slot.name, slot.laws);
   out << "[pair]\n";
   detail::list_keys(out, effective_pair());
   out << "\n[pair.body1] and [pair.body2], instead\n";

@@ -45,7 +45,7 @@ int run(const Arguments& arguments) {
   const InterruptGuard guard;
   if (arguments.out.empty()) {
     drive_law(law, arguments.path, std::cout);
-    return stop_requested() ? stop_status() : 0;
+    return 0;
   }
   for (const std::string& input : {arguments.law, arguments.path}) {
     std::error_code not_there;
@@ -54,7 +54,6 @@ int run(const Arguments& arguments) {
   }
   OutputFile out(arguments.out);
   drive_law(law, arguments.path, out.stream());
-  if (stop_requested()) return stop_status();
   out.complete();
   return 0;
 }

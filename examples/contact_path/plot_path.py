@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Draws what contact_path wrote; of several files it also prints how far each is from the first.
+"""Draws what contact_path wrote; of several files it also prints the largest difference of each from the first.
 
-    python3 plot_path.py OUT.csv [MINE.csv ...] [--path PATH.csv] [-o FIGURE.png]
+    python3 plot_path.py OUT.csv [MINE.csv ...] [--path PATH.csv] [--tolerance 1e-6] [-o FIGURE.png]
 
+With --tolerance, the exit status is 1 if a difference of forces exceeds that share of the largest force, or is not a number.
 MINE.csv may come from another program: it needs the columns fx, fy, fz, and as many rows. PATH.csv puts the overlap under the
 normal force, and gives the normals of a MINE.csv that has no fn_total.
 """
@@ -24,7 +25,9 @@ def columns(file):
     try:
         lines = [line for line in Path(file).read_text().splitlines() if line.strip() and not line.startswith("#")]
         rows = list(csv.DictReader(lines))
-        return {name: np.array([float(row[name] or "nan") for row in rows]) for name in (rows[0] if rows else {})}
+        if not rows:
+            sys.exit(f"{file}: has no rows")
+        return {name: np.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
     except (OSError, ValueError, TypeError) as fault:
         sys.exit(f"{file}: {fault}")
 
@@ -54,18 +57,21 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", nargs="+", metavar="OUT.csv")
     parser.add_argument("--path", metavar="PATH.csv")
+    parser.add_argument("--tolerance", type=float, help="largest difference, as a share of the largest force")
     parser.add_argument("-o", "--output", metavar="FIGURE.png", help="default: OUT.png")
     arguments = parser.parse_args()
     tables = [columns(file) for file in arguments.out]
     path = columns(arguments.path) if arguments.path else None
 
     all_forces = [forces(file, table) for file, table in zip(arguments.out, tables)]
+    all_within = True
     first, largest = all_forces[0], np.max(np.linalg.norm(all_forces[0], axis=1))
     for file, force in zip(arguments.out[1:], all_forces[1:]):
         if force.shape != first.shape:
             sys.exit(f"{file}: {len(force)} rows, but {arguments.out[0]} has {len(first)}")
         difference = np.linalg.norm(force - first, axis=1)
-        worst = int(np.argmax(difference))
+        worst = int(np.argmax(difference))  # of a NaN, if there is one
+        all_within &= arguments.tolerance is None or bool(difference[worst] <= arguments.tolerance * largest)
         print(f"{file}: largest difference {difference[worst]:.6g} N at step {worst + 1}, "
               f"{difference[worst] / largest:.3g} of the largest force")
 
@@ -91,7 +97,8 @@ def main():
         if axes.get_legend_handles_labels()[0]:
             axes.legend(fontsize=8)
     figure.savefig(arguments.output or Path(arguments.out[0]).with_suffix(".png"), dpi=150)
+    return 0 if all_within else 1
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -28,15 +28,15 @@ void same_bits_as(const Law& law, const std::string& text) {
   const contact_path::LawSpec spec = contact_path::parse_law(text + pair_table, "law.toml");
   const auto any = contact_path::build_law<double>(spec, contact_path::build_pair<double>(spec));
   constexpr auto names = Law::state_values();
-  REQUIRE(any.state_values().size() == names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) CHECK(std::string(any.state_values()[i].name) == names[i].name);
+  REQUIRE(any->state_values().size() == names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) CHECK(std::string(any->state_values()[i].name) == names[i].name);
 
   test::Random random;
   for (int path = 0; path < test::cases(1000); ++path) {
     const auto pair = test::random_pair(random);
     typename Law::State state{};
     if constexpr (decltype(Law::bridge)::acts) Law::make_wet(state, 0.0, 0.0);
-    std::vector<double> any_state = any.first_state();
+    std::vector<double> any_state = any->first_state();
     for (int i = 0; i < 10; ++i) {
       const double deepest = pair.effective_radius * 1e-3;
       ContactKinematics<double> motion;
@@ -49,7 +49,7 @@ void same_bits_as(const Law& law, const std::string& text) {
       const Vec3<double> axis = random.direction();
       motion.relative_spin = axis * random.log_uniform(1e-3, 1e3);
       const auto step = law.step(pair, motion, state);
-      const auto any_step = any.step(pair, motion, any_state);
+      const auto any_step = any->step(pair, motion, any_state);
       state = step.state;
       any_state = any_step.state;
       REQUIRE(same_bits(step.force, any_step.force));
@@ -57,8 +57,8 @@ void same_bits_as(const Law& law, const std::string& text) {
       REQUIRE(step.sliding == any_step.sliding);
       REQUIRE(step.active == any_step.active);
       REQUIRE(same_bits(law.stored_energy(pair, motion.overlap, state),
-                        any.stored_energy(pair, motion.overlap, any_state)));
-      REQUIRE(same_bits(law.interaction_range(pair), any.interaction_range(pair)));
+                        any->stored_energy(pair, motion.overlap, any_state)));
+      REQUIRE(same_bits(law.interaction_range(pair), any->interaction_range(pair)));
     }
   }
 }
