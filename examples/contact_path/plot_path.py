@@ -14,11 +14,7 @@ import math
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
+import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 from files import Table, fail, write_figure  # noqa: E402
@@ -75,24 +71,16 @@ def tolerance_of(text):
     return value
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("out", nargs="+", metavar="OUT.csv")
-    parser.add_argument("--path", metavar="PATH.csv")
-    parser.add_argument("--tolerance", type=tolerance_of, default=math.inf, help="on differences, as a share of the largest force of OUT.csv")
-    parser.add_argument("-o", "--output", metavar="FIGURE.png", help="default: OUT.png")
-    arguments = parser.parse_args()
-    tables = [Table(file) for file in arguments.out]
-    for table in tables:
-        if len(table) != len(tables[0]):
-            fail(table.file, f"{len(table)} rows, but {tables[0].file} has {len(tables[0])}")
-    all_forces = [vectors(table, ("fx", "fy", "fz")) for table in tables]
-    overlap, normals = read_path(arguments.path, len(tables[0])) if arguments.path else (None, None)
-    small = differences_are_small(arguments.out, all_forces, arguments.tolerance)
+def draw(files, tables, forces, overlap, normals):
+    """Normal force, shear force and energy."""
+    import matplotlib  # here, since it takes a second to load
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
 
     plt.rcParams.update({"axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False, "axes.spines.right": False})
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(12, 3.6), layout="constrained")
-    for i, (file, table, force) in enumerate(zip(arguments.out, tables, all_forces)):
+    for i, (file, table, force) in enumerate(zip(files, tables, forces)):
         normal, shear = normal_and_shear(force, table, normals)
         if normal is None:
             continue
@@ -111,6 +99,25 @@ def main():
     for axes in (left, middle, right):
         if axes.get_legend_handles_labels()[0]:
             axes.legend(fontsize=8)
+    return figure
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("out", nargs="+", metavar="OUT.csv")
+    parser.add_argument("--path", metavar="PATH.csv")
+    parser.add_argument("--tolerance", type=tolerance_of, default=math.inf, help="on differences, as a share of the largest force of OUT.csv")
+    parser.add_argument("-o", "--output", metavar="FIGURE.png", help="default: OUT.png")
+    arguments = parser.parse_args()
+    tables = [Table(file) for file in arguments.out]
+    for table in tables:
+        if len(table) != len(tables[0]):
+            fail(table.file, f"{len(table)} rows, but {tables[0].file} has {len(tables[0])}")
+    forces = [vectors(table, ("fx", "fy", "fz")) for table in tables]
+    overlap, normals = read_path(arguments.path, len(tables[0])) if arguments.path else (None, None)
+    small = differences_are_small(arguments.out, forces, arguments.tolerance)
+
+    figure = draw(arguments.out, tables, forces, overlap, normals)
     write_figure(figure, arguments.output or Path(arguments.out[0]).with_suffix(".png"), dpi=150)
     return 0 if small else 1
 
