@@ -17,7 +17,7 @@ class MoistureProblem {
   using Law = contactlaws::Hill<double>;
 
   void run(OutputFolder& folder, CheckedNumbers& numbers) {
-    add_moisture(0.0);
+    grains_.scene.make_wet(0.0);
     const double rest = release(13);
 
     pull_to(8e-3, 14);
@@ -27,7 +27,7 @@ class MoistureProblem {
     pull_to(12e-3, 15);
 
     pull_to(1.999e-3, 16);
-    add_moisture(2.5e-3);
+    grains_.scene.make_wet(2.5e-3);
     const double rewetted = release(16);
 
     path_.write_csv(folder.file("moisture.csv"));
@@ -63,17 +63,6 @@ class MoistureProblem {
       attraction = response.bridge_force;
     }
     path_.add({double(figure), grains_.scene.time, gap(), surface, attraction, double(wet()), double(released)});
-  }
-
-  /// Wets every contact between grains whose gap is at most `moisture_gap` [m].
-  void add_moisture(double moisture_gap) {
-    grains_.scene.start();
-    auto& contacts = grains_.scene.ball_contacts;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      Law::State state = contacts.state(c);
-      Law::make_wet(state, grains_.scene.ball_contact(c).geometry.overlap, moisture_gap);
-      contacts.set_state(c, state);
-    }
   }
 
   /// Releases the top grain and runs to equilibrium. Returns the overlap [m].
