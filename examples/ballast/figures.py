@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Draws the ballast paper's Figures 1 and 2, and what increments miss, from what `contact_curves` computed.
+"""Draws the ballast paper's Figures 1 and 2, and the error of increments, from the results of `contact_curves`.
 
-    python3 examples/ballast/figures.py [directory]       (default: build/results, where `contact_curves` writes)
+    python3 examples/ballast/figures.py [FOLDER]       (default: build/results, where `contact_curves` writes)
 """
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from page import COMPUTED, LIGHT, OTHER, PUBLISHED, Results, plt, save, table, verdict, write_section  # noqa: E402
+from page import COMPUTED, LIGHT, OTHER, PUBLISHED, plt, read_results, save, table, verdict, write_section  # noqa: E402
 
 import numpy as np  # noqa: E402
 
@@ -144,10 +144,10 @@ tests on railway ballast</i> (2022), with the parameters of their Table 1. <b>Ex
 
 
 def main():
-    results = Results(sys.argv[1] if len(sys.argv) > 1 else "build/results", "ballast")
+    results = read_results("ballast", __doc__)
     rows = list(results.by_id.values())
-    shown = [save(draw(results), results.directory, name, label, caption) for name, label, draw, caption in FIGURES]
-    write_section(results.directory, "ballast", SECTION.format(verdict=verdict(rows), numbers=table(rows), figures="\n".join(shown)))
+    shown = [save(draw(results), results.folder, name, label, caption) for name, label, draw, caption in FIGURES]
+    write_section(results.folder, "ballast", SECTION.format(verdict=verdict(rows), numbers=table(rows), figures="\n".join(shown)))
 
 
 if __name__ == "__main__":

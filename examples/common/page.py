@@ -1,9 +1,9 @@
-"""What the figure scripts of the examples share: how figures look, reading results, and the page that shows them all.
+"""Shared by the figure scripts of the examples: style of the figures, reading of results, the page that shows them all.
 
-Each script writes its own section; build/results/index.html is put together from the sections that are there.
+Each script writes its own section; build/results/index.html is made of the sections that exist.
 """
 
-import csv
+import argparse
 import html
 from pathlib import Path
 
@@ -12,6 +12,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+from files import Table, fail, write, write_figure
 
 COMPUTED, OTHER, PUBLISHED, LIGHT = "#1f4e79", "#c0504d", "#7f7f7f", "#5b9bd5"
 plt.rcParams.update({
@@ -22,6 +24,7 @@ plt.rcParams.update({
 })
 
 SECTIONS = ["memo", "ballast"]  # in the order of the page
+NUMBERS = ["expected", "computed", "relative_error", "tolerance"]
 
 PAGE = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -41,25 +44,56 @@ PAGE = """<!doctype html>
 
 
 class Results:
-    """The files of one example in a directory: `<name>.csv` holds its rows, others hold curves."""
+    """The files of one example in a folder: `<name>.csv` holds its numbers, others hold curves."""
 
-    def __init__(self, directory, name):
-        self.directory = Path(directory)
+    def __init__(self, folder, name):
+        self.folder, self.name = Path(folder), name
         self.by_id = {row["id"]: row for row in self.rows(name)}
 
     def rows(self, name):
-        with open(self.directory / f"{name}.csv", newline="") as file:
-            return list(csv.DictReader(file))
+        table = Table(self.folder / f"{name}.csv")
+        for column in NUMBERS:
+            table.numbers(column)  # or fail
+        for column in ("id", "unit", "published", "pass"):
+            if column not in table:
+                fail(table.file, f"column {column} is missing")
+        return table.rows()
 
     def columns(self, name):
-        table = np.genfromtxt(self.directory / f"{name}.csv", delimiter=",", names=True)
-        return {column: table[column] for column in table.dtype.names}
+        return Columns(Table(self.folder / f"{name}.csv"))
+
+    def number(self, identity, column):
+        file = self.folder / f"{self.name}.csv"
+        if identity not in self.by_id:
+            fail(file, f"no row has the id {identity}")
+        try:
+            return float(self.by_id[identity][column])
+        except ValueError:
+            fail(file, f"{identity}: column {column} is {self.by_id[identity][column]!r}, must be a number")
 
     def computed(self, identity):
-        return float(self.by_id[identity]["computed"])
+        return self.number(identity, "computed")
 
     def published(self, identity):
-        return float(self.by_id[identity]["published"])
+        return self.number(identity, "published")
+
+
+class Columns(dict):
+    """The columns of a table by name, as arrays."""
+
+    def __init__(self, table):
+        super().__init__((column, np.array(table.numbers(column))) for column in table.header)
+        self.file = table.file
+
+    def __missing__(self, column):
+        fail(self.file, f"column {column} is missing")
+
+
+def read_results(name, description):
+    """The results in the folder that the command line names."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", default="build/results", help="default: build/results")
+    return Results(parser.parse_args().folder, name)
 
 
 def published_point(axes, x, y, text, offset, align="left"):
@@ -85,18 +119,18 @@ def verdict(rows):
     return f"<p><b>{'All numbers are right.' if wrong == 0 else f'{wrong} numbers are wrong.'}</b></p>"
 
 
-def save(figure, directory, name, label, caption):
+def save(figure, folder, name, label, caption):
     """Writes the figure; returns it as a piece of the page."""
-    figure.savefig(directory / f"{name}.png")
+    write_figure(figure, folder / f"{name}.png")
     plt.close(figure)
     return (f'<figure id="{name}"><img src="{name}.png" alt="{html.escape(caption)}">'
             f"<figcaption><b>{label}.</b> {html.escape(caption)}</figcaption></figure>")
 
 
-def write_section(directory, name, text):
+def write_section(folder, name, text):
     """Writes or renews one section, and with it the page."""
-    (directory / f"{name}_section.html").write_text(text, encoding="utf-8")
-    files = [directory / f"{section}_section.html" for section in SECTIONS]
+    write(folder / f"{name}_section.html", text)
+    files = [folder / f"{section}_section.html" for section in SECTIONS]
     sections = "\n".join(file.read_text(encoding="utf-8") for file in files if file.exists())
-    (directory / "index.html").write_text(PAGE.format(sections=sections), encoding="utf-8")
-    print(f"figures and {directory / 'index.html'}")
+    write(folder / "index.html", PAGE.format(sections=sections))
+    print(f"figures and {folder / 'index.html'}")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws the hill memo's figures from what `memo` computed, and a page that shows them.
 
-    python3 examples/memo/figures.py [directory]          (default: build/results, where `memo` writes)
+    python3 examples/memo/figures.py [FOLDER]          (default: build/results, where `memo` writes)
 
 Numbers are those of the memo's Figures 10 to 17 and 23. Filled lines are computed here; open circles and grey lines are the
 memo's own numbers and formulas.
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from page import COMPUTED, LIGHT, OTHER, PUBLISHED, Results, plt, published_point, save, table, verdict, write_section  # noqa: E402
+from page import COMPUTED, LIGHT, OTHER, PUBLISHED, plt, published_point, read_results, save, table, verdict, write_section  # noqa: E402
 
 import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
@@ -366,11 +366,11 @@ the name of Hertz-Mindlin. Published: LAMMPS, with mindlin/force, mindlin_rescal
 
 
 def main():
-    results = Results(sys.argv[1] if len(sys.argv) > 1 else "build/results", "memo")
+    results = read_results("memo", __doc__)
     rows, eight_laws = list(results.by_id.values()), results.rows("eight_laws")
-    shown = [save(draw(results), results.directory, f"figure_{number}", f"Figure {number}", caption) for number, draw, caption in FIGURES]
+    shown = [save(draw(results), results.folder, f"figure_{number}", f"Figure {number}", caption) for number, draw, caption in FIGURES]
     text = SECTION.format(verdict=verdict(rows + eight_laws), memo=table(rows), eight_laws=table(eight_laws), figures="\n".join(shown))
-    write_section(results.directory, "memo", text)
+    write_section(results.folder, "memo", text)
 
 
 if __name__ == "__main__":
