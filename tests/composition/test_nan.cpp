@@ -95,7 +95,7 @@ TEST_CASE("A NaN of an open contact stays in its lane, and has no effect there")
   const double inf = std::numeric_limits<double>::infinity();
   // Every other contact is open, with a velocity and a history that are no numbers: each pack has both kinds.
   constexpr std::size_t count = 16;
-  std::array<double, count> overlap, across, along, up{}, result[3], history[3], next[3];
+  std::array<double, count> overlap, across, along, result[3], history[3], next[3];
   for (std::size_t i = 0; i < count; ++i) {
     const bool open = i % 2 == 1;
     overlap[i] = open ? -1e-6 : 1e-5;
