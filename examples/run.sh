@@ -13,6 +13,7 @@ cmake --build build/examples -j "$(nproc)"
 
 build/examples/bin/first_contact
 build/examples/bin/verify_your_law build/results/verify_your_law
+build/examples/bin/drop build/results/drop
 wrong=0
 build/examples/bin/memo build/results || wrong=$?
 build/examples/bin/contact_curves build/results || wrong=$?

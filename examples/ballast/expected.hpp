@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the paper's ballast must yield. Written by expected.py: change it there.
+// The expected results for the paper's ballast. Written by expected.py: change it there.
 #pragma once
 
 namespace ballast::expected {

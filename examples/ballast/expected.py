@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes expected.hpp: what the paper's ballast must yield, from its printed stiffnesses, apart from the library.
+"""Writes expected.hpp: the expected results for the paper's ballast, from its printed stiffnesses, independent of the library.
 
     /usr/bin/python3 examples/ballast/expected.py > examples/ballast/expected.hpp
 
@@ -18,7 +18,7 @@ paper = table_1()
 
 
 def force_at(overlap):
-    """By secants in ln F over ln o, which is all but straight."""
+    """Secant method for ln F over ln o, which is nearly linear."""
     miss = lambda ln_force: log(paper.overlap(mp.exp(ln_force)) / overlap)
     return mp.exp(findroot(miss, (mpf(1), mpf(3)), tol=mpf("1e-24"), solver="secant"))
 
@@ -38,7 +38,7 @@ VALUES = [
 
 print(
     """// SPDX-License-Identifier: MIT
-// What the paper's ballast must yield. Written by expected.py: change it there.
+// The expected results for the paper's ballast. Written by expected.py: change it there.
 #pragma once
 
 namespace ballast::expected {

@@ -82,7 +82,7 @@ def figure_trade(results):
         steps, error = increments["steps"][chosen], np.abs(increments["relative_error"][chosen])
         ns = increments["ns_per_step"][chosen][0]
         left.loglog(steps, error, "-" if seed else "--", color=colour, marker="o", markersize=3)
-        text, place = (f"seed {seed_name(seed)}", (6, 0)) if seed else ("as printed: starts at 0 N and stays there", (-4, 6))
+        text, place = (f"seed {seed_name(seed)}", (6, 0)) if seed else ("as printed: starts at 0 N and stays at 0 N", (-4, 6))
         left.annotate(text, (steps[-1], error[-1]), xytext=place, textcoords="offset points", fontsize=8, color=colour,
                       ha="left" if seed else "right", va="center", annotation_clip=False)
         if seed:
@@ -97,8 +97,8 @@ def figure_trade(results):
                    fontsize=8, va="center")
     per_step = increments["ns_per_step"][increments["seed_N"] == 1e-12][0]
     right.annotate(f"increments:\n{per_step:.0f} ns a step", (2e3, 1e-6), fontsize=8, ha="right", va="center", color=COMPUTED)
-    left.set(xlabel="steps of the loading", ylabel="relative error of the force at 10 µm", ylim=(1e-17, 6), xlim=(8, 1.2e6), title="What a loading misses")
-    right.set(xlabel="cost of the loading [µs]", xlim=(5e-3, 2e5), title="… and costs")
+    left.set(xlabel="steps of the loading", ylabel="relative error of the force at 10 µm", ylim=(1e-17, 6), xlim=(8, 1.2e6), title="Error of a loading")
+    right.set(xlabel="cost of the loading [µs]", xlim=(5e-3, 2e5), title="… and its cost")
     return figure
 
 
@@ -109,9 +109,9 @@ def figure_ratchet(results):
     axes.axhline(hertz, color=PUBLISHED, linestyle=":", linewidth=1.4)
     axes.annotate(f"Hertz, no roughness left: {hertz:.0f} N", (1.2, hertz), xytext=(0, 4), textcoords="offset points", fontsize=8, color="#404040")
     for column, colour, text, place in (
-            ("increments_apart_N", OTHER, "increments, parted in each cycle", (-6, -12)),
+            ("increments_apart_N", OTHER, "increments, separated in each cycle", (-6, -12)),
             ("increments_held_N", LIGHT, "increments, unloaded to 1 N", (-6, -10)),
-            ("closed_apart_N", COMPUTED, "closed form, parted in each cycle: unchanged to the bit", (-6, 7))):
+            ("closed_apart_N", COMPUTED, "closed form, separated in each cycle: equal to the bit", (-6, 7))):
         axes.semilogx(cycles["cycle"], cycles[column], color=colour)
         first, last = cycles[column][0], cycles[column][-1]
         change = "" if first == last else f": {100 * (last / first - 1):+.0f} %"
@@ -123,13 +123,13 @@ def figure_ratchet(results):
 
 FIGURES = [
     ("ballast_1", "Figure 1", figure_1, "A rough contact is softer than Hertz's up to the transition force (dotted) and as stiff beyond it; "
-     "what its asperities took of the overlap, it never gets back."),
+     "the overlap that its asperities took up remains."),
     ("ballast_2", "Figure 2", figure_2, "Loaded to 20 µm, unloaded to 14 µm, loaded to 25 µm and unloaded: unloading and reloading follow Hertz's stiffness."),
-    ("ballast_trade", "Trade", figure_trade, "Increments F := F + k(F) do need a seed force, since k(0) = 0; they converge with the first power of the "
-     "step to what the seed leaves (dips are changes of sign). The closed form has neither step nor seed. (A step of increments raises three powers: one for the "
-     "force, two for the stiffnesses that it reports.)"),
-    ("ballast_ratchet", "Ratchet", figure_ratchet, "Cut off at zero force, increments begin each reloading at once, where flattened surfaces are still apart; "
-     "so each cycle hardens the contact, within seven to several times the force. The closed form reopens and closes at the plastic overlap."),
+    ("ballast_trade", "Trade", figure_trade, "Increments F := F + k(F) need a seed force, since k(0) = 0. They converge with the first power of the "
+     "step to an error that the seed causes (dips are changes of sign). The closed form has neither step nor seed. (A step of increments evaluates three powers: "
+     "one for the force, two for the stiffnesses that it returns.)"),
+    ("ballast_ratchet", "Ratchet", figure_ratchet, "Increments that are cut off at zero force load again at once, although flattened surfaces do not touch yet. "
+     "So each cycle hardens the contact: within seven cycles to several times the force. The closed form opens and closes at the plastic overlap."),
 ]
 
 SECTION = """<h1>Railway ballast</h1>

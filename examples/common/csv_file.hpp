@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of numbers as CSV: a header that names the columns, in any order, then a row of as many numbers a line.
-// Empty lines and lines that begin with # are passed over. Whatever is wrong is told by file, line and column.
+// Reading CSV: a header that names the columns, in any order, then a row of as many numbers a line. Empty lines and lines that
+// begin with # are skipped. Messages name file, line and column.
 #pragma once
 
 #include <algorithm>
@@ -20,17 +20,18 @@ struct Column {
   std::string says;
 };
 
-/// A file and a place in it, which next() moves from row to row.
+/// A file and its current row; next() goes to the next row.
 class CsvFile {
  public:
   /// @throws InputError if the file cannot be read, or its header misses a required column, or names an unknown one or one twice
   CsvFile(const std::string& file, std::vector<Column> columns)
       : file_(file), text_(read_text(file)), columns_(std::move(columns)), cell_of_(columns_.size()) {
-    if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0) position_ = 3;  // the mark that some programs put before UTF-8
+    if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0)
+      position_ = 3;  // byte order mark, which some programs write before UTF-8
     read_header();
   }
 
-  /// Goes to the next row; false if there is none. @throws InputError if it has too many or too few cells
+  /// Goes to the next row. False if there is none. @throws InputError if it has too many or too few cells
   bool next() {
     if (!next_line()) return false;
     if (cells_.size() != header_size_)
@@ -46,7 +47,7 @@ class CsvFile {
     const Cell& cell = cells_[*cell_of_[index]];
     return number_in<T>(column.range, cell.text, {file_, line_, cell.column}, "column " + column.name, column.unit);
   }
-  /// The same, or nothing where the file has no such column, or nothing in it.
+  /// The same, or nothing if the file has no such column or the cell is empty.
   template <class T>
   std::optional<T> number_if_any(std::size_t index) const {
     if (!cell_of_[index] || cells_[*cell_of_[index]].text.empty()) return {};
@@ -58,7 +59,7 @@ class CsvFile {
  private:
   struct Cell {
     std::string text;
-    std::size_t column;  ///< where it begins in its line, from 1
+    std::size_t column;  ///< position of its first character in the line, from 1
   };
 
   void read_header() {
@@ -88,7 +89,7 @@ class CsvFile {
     return all;
   }
 
-  /// The cells of the next line that has any.
+  /// Reads the cells of the next line that is not skipped. False at the end of the file.
   bool next_line() {
     while (position_ < text_.size()) {
       const std::size_t end = std::min(text_.find('\n', position_), text_.size());
@@ -120,7 +121,7 @@ class CsvFile {
   std::string file_;
   std::string text_;
   std::vector<Column> columns_;
-  std::vector<std::optional<std::size_t>> cell_of_;  ///< of each column, which cell of a row
+  std::vector<std::optional<std::size_t>> cell_of_;  ///< index of each column's cell in a row
   std::size_t header_size_ = 0;
   std::size_t position_ = 0;
   std::size_t line_ = 0;

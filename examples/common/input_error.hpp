@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with an input file, and where: `file:line:column: message`, as compilers say it.
+// Faults in files, with their place: `file:line:column: message`, in the format of compilers.
 #pragma once
 
 #include <cerrno>
@@ -13,7 +13,7 @@
 
 namespace common {
 
-/// A place in a file; lines and columns count from 1, and 0 means the whole of it.
+/// A place in a file. Lines and columns count from 1; 0 stands for the whole file or line.
 struct Place {
   std::string file;
   std::size_t line = 0;
@@ -27,7 +27,7 @@ inline std::string to_string(const Place& place) {
   return text;
 }
 
-/// Its message is for the user, as it stands.
+/// A fault that the user can mend. The message is shown to the user unchanged.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -41,7 +41,7 @@ inline void note(const Place& place, const std::string& message) {
   std::fputs((to_string(place) + ": note: " + message + '\n').c_str(), stderr);
 }
 
-/// A piece of a file, fit to stand in a message: in quotes, short, printable.
+/// A piece of a file for a message: in quotes, at most 40 characters, all printable.
 inline std::string in_quotes(const std::string& piece) {
   constexpr std::size_t longest = 40;
   std::string text = "'";
@@ -49,7 +49,7 @@ inline std::string in_quotes(const std::string& piece) {
   return text + (piece.size() > longest ? "...'" : "'");
 }
 
-/// Names in a row: a, b, c.
+/// Names with commas between them: a, b, c.
 template <class Names>
 std::string listed(const Names& names) {
   std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A number as its user wrote it. It is kept as text, so that every precision rounds the decimal number itself, once.
+// Numbers in input files. They are kept as text, so that each precision rounds the decimal number itself, once.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace common {
 
-/// Whether the whole text is a decimal number, such as -1, 0.5 or 2.9e10; "nan", "inf" and hexadecimals are not.
+/// Whether the whole text is a decimal number, such as -1, 0.5 or 2.9e10. "nan", "inf" and hexadecimal numbers are not.
 inline bool is_decimal(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos) return false;
   char* end = nullptr;
@@ -20,7 +20,7 @@ inline bool is_decimal(const std::string& text) {
   return end == text.c_str() + text.size();
 }
 
-/// A decimal number rounded to T: to zero where it is too small for T, to infinity where it is too large.
+/// A decimal number rounded to T: zero if it is too small for T, infinity if it is too large.
 template <class T>
 T rounded(const std::string& decimal) {
   if constexpr (std::is_same_v<T, float>) {
@@ -30,14 +30,14 @@ T rounded(const std::string& decimal) {
   } else if constexpr (std::is_same_v<T, long double>) {
     return std::strtold(decimal.c_str(), nullptr);
   } else {
-    // Beyond long double's range nobody computes, and the powers of ten that a higher precision would need get huge.
+    // Outside long double's range, converting the text in high precision would need powers of ten of a huge exponent.
     const long double roughly = std::strtold(decimal.c_str(), nullptr);
     if (roughly == 0 || !std::isfinite(roughly)) return T(roughly);
     return T(decimal);
   }
 }
 
-/// `what` is written as `text` at `place`: its value. @throws InputError unless it is a number in the range, and finite in T
+/// The value of `what`, which stands as `text` at `place`. @throws InputError unless it is a number in the range, finite in T
 template <class T>
 T number_in(const contactlaws::Range& range, const std::string& text, const Place& place, const std::string& what,
             const std::string& unit) {

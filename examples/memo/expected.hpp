@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the memo's problems must yield, in closed form. Written by expected.py: change it there.
+// The expected results of the memo's problems, in closed form. Written by expected.py: change it there.
 #pragma once
 
 namespace memo::expected {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes expected.hpp: what the memo's problems must yield, from closed forms in 40 digits, apart from the library.
+"""Writes expected.hpp: the expected results of the memo's problems, from closed forms in 40 digits, independent of the library.
 
     python3 examples/memo/expected.py > examples/memo/expected.hpp
 
@@ -79,7 +79,7 @@ VALUES = [
 
 print(
     """// SPDX-License-Identifier: MIT
-// What the memo's problems must yield, in closed form. Written by expected.py: change it there.
+// The expected results of the memo's problems, in closed form. Written by expected.py: change it there.
 #pragma once
 
 namespace memo::expected {

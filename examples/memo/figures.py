@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the hill memo's figures from what `memo` computed, and a page that shows them.
+"""Draws the hill memo's figures from the results of `memo`, and a page that shows them.
 
     python3 examples/memo/figures.py [FOLDER]          (default: build/results, where `memo` writes)
 
@@ -48,7 +48,7 @@ def draw_pair(axes, gap, wet, caption, moves=None, top=34):
     below, above = RADII
     z_top = below + gap + above
     if wet:
-        reach = 3.2 * np.exp(-max(gap, 0) / 14)  # a picture: the law knows no shape of the bridge
+        reach = 3.2 * np.exp(-max(gap, 0) / 14)  # for the picture only: the law has no shape of the bridge
         z = np.linspace(below - 0.9, below + max(gap, 0) + 1.1, 60)
         middle, half = (z[0] + z[-1]) / 2, (z[-1] - z[0]) / 2
         width = reach * (0.62 + 0.38 * ((z - middle) / half) ** 2)
@@ -247,7 +247,7 @@ def figure_16(results):
 
 
 class Camera:
-    """Looks at a box of `edge` from the front, a little from the right and from above; parallel rays."""
+    """Parallel projection of a box of `edge` from the front, a little from the right and from above."""
 
     def __init__(self, edge, azimuth=24, elevation=14):
         a, e = np.radians([azimuth, elevation])
@@ -341,11 +341,11 @@ FIGURES = [
     (11, figure_11, "The hill law stiffens as it is pressed; its shear stiffness is constant while the overlap is."),
     (12, figure_12, "Hill starts softer than linear; stiffnesses are equal at 12.6 mm, forces at 28.3 mm of overlap."),
     (13, figure_13, "Wetted in contact, the grain is drawn in until Hertz's push equals the bridge's pull."),
-    (14, figure_14, "Pulled 8 mm up and let go, the bridge draws the grain back to the same rest."),
-    (15, figure_15, "Pulled beyond twice the critical gap of 5 mm, the bridge ruptures and the contact is gone."),
-    (16, figure_16, "Lowered to just under 2 mm and wetted across that gap, the grain is drawn back once more."),
+    (14, figure_14, "Pulled up by 8 mm and released, the grain returns to the same overlap."),
+    (15, figure_15, "Pulled beyond twice the critical gap of 5 mm, the bridge ruptures and no force acts."),
+    (16, figure_16, "Lowered to a gap just under 2 mm and wetted across it, the grain returns again."),
     (17, figure_17, "27 balls in cubic packing sink to the bottom, where the wall carries their weight."),
-    (23, figure_23, "Twice the overlap leaves the shear force of an incremental law alone, and multiplies that of an absolute one by √2."),
+    (23, figure_23, "At twice the overlap the shear force of an incremental law is the same; that of an absolute law is √2 times as large."),
 ]
 
 
