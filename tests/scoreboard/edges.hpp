@@ -1,7 +1,8 @@
 // Two kinds of random paths that finite.cpp and forces.cpp try: what happens to a contact in the field, and at the edges.
 #pragma once
 
-#include "laws_along_paths.hpp"
+#include "properties/paths.hpp"
+#include "row.hpp"
 
 namespace contactlaws::test {
 
@@ -9,8 +10,8 @@ namespace contactlaws::test {
 struct Field {
   static constexpr int length = 10;
   Path path(Random& random) const { return random_path(random, length); }
-  template <class Law>
-  void tune(Law&, Random&) const {}
+  template <class T>
+  void tune(ErasedLaw<T>&, Random&) const {}
 };
 
 /// What happens to it at the edges of everything: planes, rigid and fixed sides, size ratios to 1e9, nu at both its ends,
@@ -23,10 +24,12 @@ struct Edges {
   Path path(Random& random) const {
     const auto material = [&random] {
       const double poisson[] = {-1.0 + 1e-6, -0.5, 0.0, 0.3, 0.5 - 1e-7, 0.5};
-      return ElasticMaterial<double>{random.log_uniform(1e3, 1e12), poisson[random.engine() % 6],
-                                     random.log_uniform(1.0, 3e4)};
+      const double young = random.log_uniform(1e3, 1e12);
+      const int which = random.integer(0, 5);
+      return ElasticMaterial<double>{young, poisson[which], random.log_uniform(1.0, 3e4)};
     };
-    const double radius = random.log_uniform(1e-5, 1.0), other = radius * random.log_uniform(1e-4, 1e5);
+    const double radius = random.log_uniform(1e-5, 1.0);
+    const double other = radius * random.log_uniform(1e-4, 1e5);
     const double nine_decades = radius * (random.chance(0.5) ? 1e9 : 1.0);
     const ContactBody<double> one = sphere(material(), radius);
     const ContactBody<double> sides[] = {sphere(material(), other),
@@ -36,7 +39,8 @@ struct Edges {
                                          sphere(material(), other).fixed(),
                                          sphere(material(), other).rigid().fixed(),
                                          spherical_cup(material(), 2 * radius)};
-    Path path{pair_properties(sides[random.engine() % 7], one), {}, random.chance(0.5)};
+    const int side = random.integer(0, 6);
+    Path path{pair_properties(sides[side], one), {}, random.chance(0.5)};
     const double dt = random.log_uniform(1e-12, 1.0);
     for (int i = 0; i < length; ++i) {
       const double overlaps[] = {denormal,      2 * denormal,
@@ -44,20 +48,27 @@ struct Edges {
                                  1e-30,         path.pair.effective_radius,
                                  -1e3 * radius, path.pair.effective_radius * random.log_uniform(1e-15, 1.0)};
       const Vec3<double> axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
-      const Vec3<double> normal = random.chance(0.3) ? axes[random.engine() % 3] : random.direction();
+      const Vec3<double> normal = random.chance(0.3) ? axes[random.integer(0, 2)] : random.direction();
       const Vec3<double> way = random.chance(0.2) ? normal : random.direction();
       const double speed = random.chance(0.2) ? 0.0 : random.log_uniform(denormal, 1e6);
-      path.steps.push_back({normal, overlaps[random.engine() % 8], speed * way, random.chance(0.05) ? 0.0 : dt,
-                            random.chance(0.5) ? 0.0 : random.uniform(-3.0, 3.0) / dt});
+      const double overlap = overlaps[random.integer(0, 7)];
+      const double step = random.chance(0.05) ? 0.0 : dt;
+      const double spin = random.chance(0.5) ? 0.0 : random.uniform(-3.0, 3.0) / dt;
+      const Vec3<double> rolling = spin * random.direction();
+      path.steps.push_back({normal, overlap, speed * way, step, spin, rolling});
     }
     return path;
   }
-  template <class Law>
-  void tune(Law& law, Random& random) const {
-    using T = typename Law::Scalar;
-    if constexpr (has_shear<Law>) law.shear.friction = T(random.chance(0.3) ? 0.0 : random.chance(0.5) ? 1e9 : 0.5);
-    if constexpr (decltype(law.damping)::acts) law.damping.damping_constant = T(random.chance(0.5) ? 0.0 : 1.0);
-    if constexpr (has_bridge<Law>) law.bridge.suction = T(random.chance(0.5) ? 0.0 : 1e9);
+  template <class T>
+  void tune(ErasedLaw<T>& law, Random& random) const {
+    const double friction = random.chance(0.3) ? 0.0 : random.chance(0.5) ? 1e9 : 0.5;
+    const double damping = random.chance(0.5) ? 0.0 : 1.0;
+    const double suction = random.chance(0.5) ? 0.0 : 1e9;
+    for (const auto& p : law.parameters()) {
+      if (p.name.find("friction") != std::string::npos) *p.value = T(friction);
+      if (p.name.find("damping") != std::string::npos) *p.value = T(damping);
+      if (p.name == "suction") *p.value = T(suction);
+    }
   }
 };
 

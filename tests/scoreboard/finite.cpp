@@ -22,11 +22,11 @@ bool is_finite(float x) {
   return (bits >> 23 & 0xff) != 0xff;
 }
 
-template <class Law, class State>
-bool is_finite(const Step<typename Law::Scalar, State>& step) {
+template <class T>
+bool is_finite(const ErasedLaw<T>& law, const Step<T, typename ErasedLaw<T>::State>& step) {
   bool all = is_finite(step.normal_elastic) && is_finite(step.normal_force) && is_finite(step.bridge_force);
-  for (int i = 0; i < 3; ++i) all = all && is_finite(step.force[i]);
-  for (const auto& value : stored<Law>(step.state)) all = all && is_finite(value);
+  for (int i = 0; i < 3; ++i) all = all && is_finite(step.force[i]) && is_finite(step.couple[i]);
+  for (std::size_t i = 0; i < law.state_size(); ++i) all = all && is_finite(step.state[i]);
   return all;
 }
 
@@ -41,27 +41,25 @@ template <class T, class Draw>
 void finite(const std::string& name, std::int64_t paths, const Draw& draw, const std::string& note = "") {
   std::int64_t tried = 0, found = 0;
   std::string worst;
-  visit_laws([&](const char* law_name, std::size_t, const auto& double_law) {
-    auto law = double_law.template cast<T>();
-    using Law = decltype(law);
-    Random random;
+  for (const auto& law : all_laws<T>()) {
+    Random random = random_for(name, law->name);
     for (std::int64_t i = 0; i < paths; ++i) {
       const Path path = draw.path(random);
-      draw.tune(law, random);
+      draw.tune(*law, random);
       const PairProperties<T> pair = path.pair.template cast<T>();
-      typename Law::State state = start<Law>(path);
+      auto state = start(*law, path);
       for (const auto& motion : path.steps) {
         const ContactKinematics<T> kinematics = motion.template cast<T>();
-        const auto step = law.step(pair, kinematics, state);
+        const auto step = law->step(pair, kinematics, state);
         ++tried;
-        if (!is_finite<Law>(step)) {
-          if (found++ == 0) worst = law_name + (": " + text_of(pair, kinematics));
+        if (!is_finite(*law, step)) {
+          if (found++ == 0) worst = law->name + ": " + text_of(pair, kinematics);
           break;
         }
         state = step.state;
       }
     }
-  });
+  }
   report({10, name + (sizeof(T) == 4 ? " (float)" : " (double)"), static_cast<double>(found), "results not finite", 0.0,
           tried, worst, note});
 }
@@ -70,22 +68,21 @@ void finite(const std::string& name, std::int64_t paths, const Draw& draw, const
 void not_finite(double value, const char* value_name) {
   std::int64_t tried = 0, silent = 0;
   std::string where;
-  visit_laws([&](const char* law_name, std::size_t, const auto& law) {
-    using Law = std::decay_t<decltype(law)>;
+  for (const auto& law : all_laws<double>()) {
     const PairProperties<double> pair = granite_pair<double>();
     const auto ask = [&](const char* input, const auto& change) {
       PairProperties<double> p = pair;
-      ContactKinematics<double> k{{0.0, 0.6, 0.8}, 1e-5, {1e-3, 1e-3, 1e-3}, 1e-6, 0.5};
-      typename Law::State state{};
-      if constexpr (has_bridge<Law>) Law::make_wet(state, 0.0, 0.0);
+      ContactKinematics<double> k{{0.0, 0.6, 0.8}, 1e-5, {1e-3, 1e-3, 1e-3}, 1e-6, 0.5, {0.1, 0.2, 0.3}};
+      auto state = law->virgin();
+      law->make_wet(state, 0.0, 0.0);
       change(p, k, state);
-      const auto step = law.step(p, k, state);
+      const auto step = law->step(p, k, state);
       ++tried;
       bool shows = false;
       for (int i = 0; i < 3; ++i) shows = shows || !is_finite(step.force[i]);
       if (shows) return;
       ++silent;
-      if (law_name == std::string("Hill")) where += (where.empty() ? "Hill: " : ", ") + std::string(input);
+      if (law->name == "Hill") where += (where.empty() ? "Hill: " : ", ") + std::string(input);
     };
     ask("R*", [value](auto& p, auto&, auto&) { p.effective_radius = value; });
     ask("E*", [value](auto& p, auto&, auto&) { p.effective_young = value; });
@@ -98,9 +95,9 @@ void not_finite(double value, const char* value_name) {
     ask("velocity", [value](auto&, auto& k, auto&) { k.velocity.y() = value; });
     ask("dt", [value](auto&, auto& k, auto&) { k.dt = value; });
     ask("spin", [value](auto&, auto& k, auto&) { k.normal_spin = value; });
-    for (std::size_t i = 0; i + 1 <= Law::state_size; ++i)
-      ask(Law::state_values()[i].name, [value, i](auto&, auto&, auto& state) { values_of<Law>(state)[i] = value; });
-  });
+    for (std::size_t i = 0; i < law->state_size(); ++i)
+      ask(law->state_values[i].name, [value, i](auto&, auto&, auto& state) { state[i] = value; });
+  }
   report({10,
           std::string("one input ") + value_name + ": force finite all the same",
           static_cast<double>(silent),

@@ -7,24 +7,6 @@
 using namespace contactlaws;
 using namespace contactlaws::test;
 
-namespace {
-
-/// Along one path: the force, and the parts whose sum it is.
-template <class Law>
-nlohmann::ordered_json forces(const Law& law, const Path& path) {
-  nlohmann::ordered_json all;
-  typename Law::State state = start<Law>(path);
-  for (const auto& kinematics : path.steps) {
-    const auto step = law.step(path.pair, kinematics, state);
-    state = step.state;
-    all.push_back(
-        {step.force.x(), step.force.y(), step.force.z(), step.normal_elastic, step.normal_force, step.bridge_force});
-  }
-  return all;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   const std::string where = argc > 1 ? argv[1] : "";
   if (where != "field" && where != "edges") {
@@ -34,15 +16,18 @@ int main(int argc, char** argv) {
   const Effort effort(argc - 1, argv + 1);
   const std::int64_t paths = effort(200, 5000);
   const Edges edges{std::numeric_limits<double>::min()};
-  visit_laws([&](const char* name, std::size_t, auto law) {
-    Random random;
+  for (const auto& law : all_laws<double>()) {
+    Random random = random_for(where, law->name);
     nlohmann::ordered_json line;
-    line["law"] = name;
+    line["law"] = law->name;
     for (std::int64_t i = 0; i < paths; ++i) {
       const Path path = where == "edges" ? edges.path(random) : Field{}.path(random);
-      if (where == "edges") edges.tune(law, random);
-      line["paths"].push_back(forces(law, path));
+      if (where == "edges") edges.tune(*law, random);
+      nlohmann::ordered_json all;
+      for (const auto& s : law->follow(path.pair, path.steps, start(*law, path)))
+        all.push_back({s.force.x(), s.force.y(), s.force.z(), s.normal_elastic, s.normal_force, s.bridge_force});
+      line["paths"].push_back(all);
     }
     std::cout << line.dump() << '\n';
-  });
+  }
 }
