@@ -1,5 +1,5 @@
 #!/bin/sh
-# Measures what shared/verification.md asks for, on a fresh Debian or Ubuntu too:  sh tests/scoreboard.sh [--full] [--publish]
+# Measures the figures of the scoreboard, on a fresh Debian or Ubuntu too:  sh tests/scoreboard.sh [--full] [--publish]
 # Quick counts take some minutes; --full takes hours. Results: build/results/scoreboard.json and the table printed.
 set -eu
 cd "$(dirname "$0")/.."

@@ -6,7 +6,8 @@
 #include <string>
 
 #include "catch.hpp"
-#include "law_properties.hpp"
+#include "properties/law_list.hpp"
+#include "random.hpp"
 
 namespace contactlaws::test {
 
@@ -22,7 +23,9 @@ TEST_CASE("A state is plain values: as many as the law lists, trivially copied, 
     static_assert(sizeof(typename Law::template Rebind<float>::State) ==
                   (Law::state_size == 0 ? 1 : Law::state_size * sizeof(float)));
     State virgin{};
-    for (std::size_t i = 0; i < Law::state_size; ++i) CHECK(values_of<Law>(virgin)[i] == 0.0);
+    double values[Law::state_size + 1];
+    Law::store(virgin, values);
+    for (std::size_t i = 0; i < Law::state_size; ++i) CHECK(values[i] == 0.0);
   });
 }
 
@@ -33,7 +36,6 @@ TEST_CASE("A state is stored as T[N] and comes back the same") {
     double values[12], again[12];
     for (int i = 0; i < 12; ++i) values[i] = 1.5 * i + 0.25;
     typename Law::State state = Law::load(values);
-    for (std::size_t i = 0; i < Law::state_size; ++i) CHECK(values_of<Law>(state)[i] == values[i]);
     again[Law::state_size] = -7.0;
     Law::store(state, again);
     CHECK(again[Law::state_size] == -7.0);  // not a value more

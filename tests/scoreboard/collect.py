@@ -3,7 +3,7 @@
 
     python3 tests/scoreboard/collect.py [--full] [--publish]
 
---full      the counts that verification.md asks for (hours); otherwise a quick look, and the table says so
+--full      the full counts (hours); otherwise a quick look, and the table says so
 --publish   writes the table into tests/scoreboard/README.md too
 
 Ends with 1 if a program failed. A target that is missed is no failure: its row says MISSED, and why.
@@ -32,7 +32,7 @@ PLAIN = ["-O2"]
 EXACT = ["-O2", "-ffp-contract=off"]
 WARNINGS = "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror".split()
 
-# program: the items that it measures, its flags
+# program: the items that it measures, its flags; LAWS: the scalars whose laws it links
 PROGRAMS = {
     "accuracy": ([1], PLAIN),
     "floats": ([2], PLAIN),
@@ -44,6 +44,14 @@ PROGRAMS = {
     "finite": ([10], PLAIN),
     "rounding": ([12], ["-O1", "-frounding-math"]),
     "steps": ([15], PLAIN),
+}
+LAWS = {
+    "bits": ["double", "float"],
+    "finite": ["double", "float"],
+    "forces": ["double"],
+    "paths": ["double", "long", "200"],
+    "rounding": ["double"],
+    "symmetries": ["double"],
 }
 COMPILERS = ["g++-12", "clang++-14", "clang++-19"]
 LEVELS = ["-O0", "-O2", "-O3"]
@@ -92,10 +100,13 @@ def built(program, compiler, flags, warnings=()):
     binary = BUILD / "_".join([program, compiler, *flags]).replace("=", "-")
     if out_of_date(binary):
         eigen = run(["pkg-config", "--cflags-only-I", "eigen3"]).split()
-        includes = ["-Iinclude", *(flag.replace("-I", "-isystem", 1) for flag in eigen)]
+        includes = ["-Iinclude", "-I.", "-Itests", "-Iexamples", *(flag.replace("-I", "-isystem", 1) for flag in eigen)]
         fresh = binary.with_name(binary.name + ".new")
+        unit = binary.with_name(binary.name + ".cpp")  # one unit: the laws on each scalar, then the program that uses them
+        files = [*(ROOT / f"tests/properties/laws_{scalar}.cpp" for scalar in LAWS.get(program, [])), HERE / f"{program}.cpp"]
+        unit.write_text("".join(f'#include "{file}"\n' for file in files))
         run([compiler, "-std=c++17", *flags, *warnings, "-DCONTACTLAWS_INLINE=inline", *includes,
-             "-MMD", "-MF", f"{binary}.d", HERE / f"{program}.cpp", "-o", fresh])
+             "-MMD", "-MF", f"{binary}.d", unit, "-o", fresh])
         fresh.rename(binary)
     return binary
 
@@ -260,7 +271,7 @@ def number(x):
 
 
 def table(board):
-    text = [f"{board['date']}, {'full counts' if board['full'] else 'the quick look (counts smaller than verification.md asks for)'}. "
+    text = [f"{board['date']}, {'full counts' if board['full'] else 'the quick look (smaller counts)'}. "
             f"{board['machine']['cpu']}; " + "; ".join(sorted(set(board["machine"]["compilers"].values()))) + ".",
             "Flags: " + "; ".join(f"{name} {' '.join(flags)}" for name, (_, flags) in PROGRAMS.items()) + ".", "",
             "| # | what | figure | | target | | cases |", "|--:|---|--:|---|--:|---|--:|"]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second oracle: computes the reference tables tests/reference/*.csv anew, from the documents' formulas (physics.md), in
+"""A second oracle: computes the reference tables tests/reference/*.csv anew, from the documents' formulas, in
 mpmath at 60 digits. It shares no code with the library or with tables.cpp, which wrote them.
 
     python3 tests/scoreboard/oracle.py      compares; 1 where it disagrees, 77 without mpmath

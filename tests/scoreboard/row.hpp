@@ -13,7 +13,7 @@
 
 namespace contactlaws::test {
 
-/// How much to try: `--full`, what verification.md asks for; `--count N`, so many of everything; else a quick look.
+/// How much to try: `--full`, the full counts; `--count N`, so many of everything; else a quick look.
 class Effort {
  public:
   Effort(int argc, char** argv) {
@@ -40,7 +40,7 @@ class Effort {
 
 /// One figure of the scoreboard.
 struct Row {
-  int item;          ///< of verification.md, section 4
+  int item;          ///< number in the table of README.md
   std::string name;  ///< kernel or law, then the quantity
   double figure;
   std::string unit;
