@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "contactlaws/energy.hpp"
+#include "contactlaws/normal/hertz.hpp"
 #include "random.hpp"
 
 namespace contactlaws::test {
