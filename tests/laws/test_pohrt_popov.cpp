@@ -420,9 +420,10 @@ TEST_CASE("Elasto-plastic: a contact says where on its history it stands") {
 
 TEST_CASE("Elasto-plastic: what is left of the history after separation is a choice") {
   const PairProperties<double> pair = ballast_pair();
-  const auto same = ContactLaw<Plastic>{Plastic::of(ballast_surface), {}, {}, {}};
-  const auto fresh = ContactLaw<PohrtPopovElastoPlastic<double, Recontact::fresh_surface>>{
-      PohrtPopovElastoPlastic<double, Recontact::fresh_surface>::of(ballast_surface), {}, {}, {}};
+  using SameSpot = PohrtPopovElastoPlastic<double, Recontact::same_spot>;
+  const ContactLaw<SameSpot> same{SameSpot::of(ballast_surface), {}, {}, {}, {}};
+  const ContactLaw<Plastic> fresh{Plastic::of(ballast_surface), {}, {}, {}, {}};  // the default
+  static_assert(decltype(same)::outlives_separation && !decltype(fresh)::outlives_separation);
   const auto forces = [&pair](const auto& law) {
     typename std::decay_t<decltype(law)>::State state{};
     std::vector<double> result;
@@ -437,7 +438,7 @@ TEST_CASE("Elasto-plastic: what is left of the history after separation is a cho
   const double first_time = virgin(same.normal, pair, 15e-6).force;
   CHECK(of_same[1] < first_time);
   CHECK(of_same[2] == 0.0);
-  CHECK(of_same[3] == of_same[1]);  // without force, but not apart: neither forgets
+  CHECK(of_same[3] == of_same[1]);  // without force, but not apart: both keep their history
   CHECK(of_fresh[3] == of_same[1]);
   CHECK(of_same[5] == of_same[1]);
   CHECK(of_fresh[5] == first_time);
