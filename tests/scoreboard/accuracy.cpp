@@ -77,6 +77,38 @@ class Kernels {
         draw);
   }
 
+  void adhesion_and_rolling() const {
+    // Beside the pull, so that the error is in eps of the larger term: the force is their difference.
+    roots(
+        "dmt.force and its pull", "w R* E* o",
+        [](const auto& x) {
+          using S = std::decay_t<decltype(x[0])>;
+          const PairProperties<S> pair = pair_of(x[1], x[2]);
+          const Dmt<S> law{x[0]};
+          typename Dmt<S>::State none;
+          return Vec3<S>(law.respond(none, pair, x[3]).force, law.pull_off_force(pair), S(0));
+        },
+        [](Random& r) {
+          return std::array<T, 4>{r.binary<T>(-20, 4), r.binary<T>(-20, 0), r.binary<T>(20, 40), r.binary<T>(-40, -10)};
+        },
+        "the roundings of the force, and one of the difference");
+    roots(
+        "rolling.couple", "mu_r R* k_n w dt P",
+        [](const auto& x) {
+          using S = std::decay_t<decltype(x[0])>;
+          typename RollingSpring<S>::State none{};
+          const PairProperties<S> pair = pair_of(x[1], S(1));
+          const ContactKinematics<S> k{{S(0), S(0), S(1)},    S(1), {S(0), S(0), S(0)}, x[4], S(0),
+                                       {x[3], S(-x[3]), S(1)}};
+          return Vec3<S>(RollingSpring<S>{x[0]}.respond(none, {pair, k, x[2], x[5]}));
+        },
+        [](Random& r) {
+          return std::array<T, 6>{r.binary<T>(-10, 0), r.binary<T>(-20, 0),  r.binary<T>(10, 30),
+                                  r.binary<T>(-5, 5),  r.binary<T>(-30, -5), r.binary<T>(-10, 20)};
+        },
+        "k_r is a chain of five roundings");
+  }
+
   void linear() const {
     const auto draw = [](Random& r) {
       const T smaller = r.binary<T>(-30, 8);
@@ -314,6 +346,7 @@ void judge_all(const Effort& effort) {
   const Kernels<T> kernels(effort);
   kernels.pairs();
   kernels.hertz();
+  kernels.adhesion_and_rolling();
   kernels.linear();
   kernels.dashpots();
   kernels.bridge();
