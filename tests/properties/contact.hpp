@@ -29,7 +29,7 @@ int wrong_when_open(const ErasedLaw<T>& law, const PairProperties<T>& pair, cons
   wrong += !same<T>(step.couple, Vec3<T>(T(0), T(0), T(0)));
   wrong += !same<T>(step.force, kinematics.normal * T(-step.bridge_force));
   wrong += gap >= law.interaction_range(pair) && gap > T(0) && step.bridge_force != T(0);
-  wrong += step.active != (gap <= T(0) || step.bridge_force > T(0));
+  wrong += !step.active && (gap <= T(0) || step.bridge_force > T(0));
   for (std::size_t i = 0; i < law.state_size(); ++i)
     wrong += law.state_values[i].kind == ValueKind::vector && step.state[i] != T(0);
   return wrong;
@@ -42,7 +42,9 @@ int wrong_when_opened(const ErasedLaw<T>& law, const Instant<T>& now) {
   ContactKinematics<T> open = now.kinematics;
   for (const T& gap : {T(0), T(range / T(2)), range, T(range * T(2) + now.pair.effective_radius)}) {
     open.overlap = -gap;
-    wrong += wrong_when_open(law, now.pair, open, law.step(now.pair, open, now.state));
+    const auto step = law.step(now.pair, open, now.state);
+    wrong += wrong_when_open(law, now.pair, open, step);
+    wrong += step.active && gap > T(0) && !(step.bridge_force > T(0));
   }
   return wrong;
 }
@@ -82,15 +84,14 @@ int wrong_when_closed(const ErasedLaw<T>& law, const Instant<T>& now) {
 template <class T>
 double friction_error(const ErasedLaw<T>& law, const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
                       const Step<T, typename ErasedLaw<T>::State>& step) {
-  using std::abs;
   T load = T(0);
   if (kinematics.overlap > T(0)) load = positive_part<T>(step.normal_force + law.adhesion(pair, kinematics.overlap));
   const bool at_limit = step.sliding && !law.damps;
   const Friction<T> friction = law.friction();
-  const T strength = load * (at_limit ? friction.sliding : friction.largest);
   const T shear = norm<T>(shear_part(step, kinematics.normal));
   if (step.sliding && !law.shears) return std::numeric_limits<double>::infinity();
-  const T off = at_limit ? T(abs(T(shear - strength))) : T(shear - strength);
+  const T off = at_limit ? maximum<T>(T(shear - load * friction.sliding), T(load * friction.least - shear))
+                         : T(shear - load * friction.largest);
   if (off <= T(0)) return 0.0;
   return static_cast<double>(T(off / (epsilon<T>() * force_scale(step) + std::numeric_limits<T>::denorm_min())));
 }

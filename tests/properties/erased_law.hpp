@@ -58,6 +58,7 @@ template <class T>
 struct Friction {
   T sliding = T(0);
   T largest = T(0);  ///< that a sticking contact bears
+  T least = T(0);    ///< at which a sticking contact may begin to slide
 };
 
 template <class T>
@@ -181,6 +182,7 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
       if (p.name == std::string_view("friction")) result.sliding = law_.shear.*p.member;
       if (p.name == std::string_view("static_friction")) result.largest = law_.shear.*p.member;
     }
+    result.least = result.largest > T(0) ? minimum<T>(result.largest, result.sliding) : result.sliding;
     result.largest = maximum<T>(result.largest, result.sliding);
     return result;
   }
