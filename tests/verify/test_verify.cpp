@@ -142,6 +142,7 @@ TEST_CASE("A rolling spring: its couple balances, turns, is swapped and scaled w
   CHECK(failures(check(law, claims)) == Names{});
 
   ForceUpdate alone(verify::adapt(law, pair));
+  alone.in_units = {};
   alone.step = [step = alone.step](const verify::Bodies& b, double dt, ForceUpdate::State& state) {
     verify::Interaction i = step(b, dt, state);
     const double arm = b.one.radius - (b.length() - b.branch().norm()) / 2;
