@@ -42,6 +42,7 @@ enum class Fault {
   mass_of_one,              ///< the dashpot takes the mass of body 1
   normal_dashpot_sign,      ///< CabanaPD PR 204: drives what it should damp, and weak enough for most impacts
   shear_dashpot_sign,       ///< phasicFlow issue 268
+  rolling_dashpot_sign,     ///< a weak dashpot that drives rolling
   damping_by_speed,         ///< a fit of alpha over log(speed), used below its range
   friction_sign,            ///< friction along the slip, of a contact that is nearly frictionless
   force_history,            ///< a force where a displacement is promised
@@ -162,11 +163,13 @@ struct HostLaw {
     }
 
     const V relative = b.spin - a.spin;
-    h.roll += (relative - relative.dot(n) * n) * step;
+    const V rolling = relative - relative.dot(n) * n;
+    h.roll += rolling * step;
     const double radius = reduced_radius(pair), kr = 0.1 * kt * radius * radius;
     const double most = rolling_friction * radius * std::max(fn, 0.0);
     if (kr * h.roll.norm() > most) h.roll *= most / (kr * h.roll.norm());
-    return interaction(fn * n + ft, -kr * h.roll, n, pair, place);
+    const double cr = is(Fault::rolling_dashpot_sign) ? -1e-3 * std::sqrt(mass * kt) * radius * radius : 0.0;
+    return interaction(fn * n + ft, -kr * h.roll - cr * rolling, n, pair, place);
   }
 
   HostLaw in_units(const verify::Units& u) const {

@@ -106,6 +106,7 @@ const Case cases[] = {
     {Fault::normal_dashpot_sign, false, "dashpots dissipate", {"energy of impacts", "restitution"}, 1},
     {Fault::shear_dashpot_sign, false, "dashpots dissipate", {"energy on closed loops"}, 2},
     {Fault::shear_dashpot_sign, false, "energy on closed loops", {"dashpots dissipate"}, 6},
+    {Fault::rolling_dashpot_sign, false, "dashpots dissipate", {}, 2},
     {Fault::damping_by_speed,
      false,
      "energy of impacts",
