@@ -53,7 +53,7 @@ enum class Fault {
   restart_loses,            ///< one component is not stored
   exchange_keeps,           ///< the shear history keeps its sign when the bodies are swapped
   exchange_keeps_roll,      ///< the same of the rolling angle
-  never_forgets,            ///< a contact that opened keeps its shear
+  keeps_when_open,          ///< a contact that opened keeps its shear
   acts_apart,               ///< a push of 0.01 N across gaps below 0.1 um
   divides_by_overlap,       ///< lammps #4180: sqrt(F/o)
 };
@@ -105,7 +105,7 @@ struct HostLaw {
 
     History& h = *state.kept;
     if (!(overlap > 0) && !(is(Fault::divides_by_overlap) && overlap >= 0)) {
-      if (!is(Fault::never_forgets)) h = {};
+      if (!is(Fault::keeps_when_open)) h = {};
       const V push = is(Fault::acts_apart) && overlap > -1e-7 ? V(0.01 * n) : V::Zero();
       return interaction(push, V::Zero(), n, pair, place);
     }

@@ -125,7 +125,7 @@ const Case cases[] = {
     {Fault::restart_loses, false, "restart", {}, 4},
     {Fault::exchange_keeps, false, "change of owner", {}, 4},
     {Fault::exchange_keeps_roll, false, "change of owner", {}, 4},
-    {Fault::never_forgets, false, "open contact", {}, 4},
+    {Fault::keeps_when_open, false, "open contact", {}, 4},
     {Fault::acts_apart, false, "open contact", {"continuity at touch"}, 1},
     {Fault::divides_by_overlap, false, "finite force", {"no tension"}, 1},
 };
