@@ -1,4 +1,4 @@
-// The kit on our own laws: they keep what they claim, and what they do not promise is found.
+// The checks on laws of the library: each has the properties it claims, and the ones it lacks are found.
 #include "contactlaws/verify/verify.hpp"
 
 #include <cmath>
@@ -176,7 +176,7 @@ void check_shear(const Shear& shear, bool passive, bool passive_impacts, bool no
   Claims claims = claims_of(0.4);
   claims.no_tension = claims.continuous_in_motion = true;
   claims.passive = claims.no_ratcheting = claims.follows_twist = true;
-  Names expected;  // what this variant does not promise, and is found to break
+  Names expected;  // the properties that this variant lacks
   if (!follows_twist) expected.push_back("rigid twist");
   if (!no_ratcheting) expected.push_back("ratcheting");
   if (!passive) expected.push_back("energy on closed loops");
