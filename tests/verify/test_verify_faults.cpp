@@ -106,7 +106,7 @@ const Case cases[] = {
     {Fault::normal_dashpot_sign, false, "dashpots dissipate", {"energy of impacts", "restitution"}, 1},
     {Fault::shear_dashpot_sign, false, "dashpots dissipate", {"energy on closed loops"}, 2},
     {Fault::shear_dashpot_sign, false, "energy on closed loops", {"dashpots dissipate"}, 6},
-    {Fault::rolling_dashpot_sign, false, "dashpots dissipate", {}, 2},
+    {Fault::rolling_dashpot_sign, false, "dashpots dissipate", {"energy on closed loops"}, 2},
     {Fault::damping_by_speed,
      false,
      "energy of impacts",
@@ -126,7 +126,7 @@ const Case cases[] = {
     {Fault::exchange_keeps, false, "change of owner", {}, 4},
     {Fault::exchange_keeps_roll, false, "change of owner", {}, 4},
     {Fault::keeps_when_open, false, "open contact", {}, 4},
-    {Fault::acts_apart, false, "open contact", {"continuity at touch"}, 1},
+    {Fault::acts_apart, false, "open contact", {"continuity at touch", "unit scaling"}, 1},
     {Fault::divides_by_overlap, false, "finite force", {"no tension"}, 1},
 };
 
