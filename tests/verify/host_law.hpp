@@ -44,6 +44,7 @@ enum class Fault {
   shear_dashpot_sign,       ///< phasicFlow issue 268
   rolling_dashpot_sign,     ///< a weak dashpot that drives rolling
   damping_by_speed,         ///< a fit of alpha over log(speed), used below its range
+  damping_when_slow,        ///< nine tenths of the damping below a 30th of the usual speed
   friction_sign,            ///< friction along the slip, of a contact that is nearly frictionless
   force_history,            ///< a force where a displacement is promised
   growing_shear_stiffness,  ///< with the overlap, which yields energy with a displacement history
@@ -228,6 +229,7 @@ struct HostLaw {
   double damping_at(double approach) const {
     if (is(Fault::unclipped_formula)) return unclipped_damping;
     if (is(Fault::normal_dashpot_sign)) return -1e-3;
+    if (is(Fault::damping_when_slow) && std::abs(approach) < usual_speed / 30) return 0.9 * damping;
     if (is(Fault::damping_by_speed))
       return damping + 0.2 * std::log10(std::max(std::abs(approach) / usual_speed, 1e-6));
     return damping;

@@ -121,6 +121,7 @@ const Case cases[] = {
     {Fault::history_unlimited, false, "energy on closed loops", {}, 7},
     {Fault::force_history, true, "ratcheting", {}, 9},
     {Fault::unclipped_formula, false, "restitution", {}, 200},
+    {Fault::damping_when_slow, false, "restitution", {}, 400},
     {Fault::stiffness_tangent, true, "derivative = stiffness", {}, 1},
     {Fault::restart_loses, false, "restart", {}, 4},
     {Fault::exchange_keeps, false, "change of owner", {}, 4},
