@@ -42,7 +42,9 @@ enum class Fault {
   mass_of_one,              ///< the dashpot takes the mass of body 1
   normal_dashpot_sign,      ///< CabanaPD PR 204: drives what it should damp, and weak enough for most impacts
   shear_dashpot_sign,       ///< phasicFlow issue 268
+  rolling_dashpot_sign,     ///< a weak dashpot that drives rolling
   damping_by_speed,         ///< a fit of alpha over log(speed), used below its range
+  damping_when_slow,        ///< nine tenths of the damping below a 30th of the usual speed
   friction_sign,            ///< friction along the slip, of a contact that is nearly frictionless
   force_history,            ///< a force where a displacement is promised
   growing_shear_stiffness,  ///< with the overlap, which yields energy with a displacement history
@@ -52,7 +54,8 @@ enum class Fault {
   restart_loses,            ///< one component is not stored
   exchange_keeps,           ///< the shear history keeps its sign when the bodies are swapped
   exchange_keeps_roll,      ///< the same of the rolling angle
-  never_forgets,            ///< a contact that opened keeps its shear
+  keeps_when_open,          ///< a contact that opened keeps its shear
+  acts_apart,               ///< a push of 0.01 N across gaps below 0.1 um
   divides_by_overlap,       ///< lammps #4180: sqrt(F/o)
 };
 
@@ -103,8 +106,9 @@ struct HostLaw {
 
     History& h = *state.kept;
     if (!(overlap > 0) && !(is(Fault::divides_by_overlap) && overlap >= 0)) {
-      if (!is(Fault::never_forgets)) h = {};
-      return interaction(V::Zero(), V::Zero(), n, pair, place);
+      if (!is(Fault::keeps_when_open)) h = {};
+      const V push = is(Fault::acts_apart) && overlap > -1e-7 ? V(0.01 * n) : V::Zero();
+      return interaction(push, V::Zero(), n, pair, place);
     }
 
     V velocity = b.velocity - a.velocity;
@@ -160,11 +164,13 @@ struct HostLaw {
     }
 
     const V relative = b.spin - a.spin;
-    h.roll += (relative - relative.dot(n) * n) * step;
+    const V rolling = relative - relative.dot(n) * n;
+    h.roll += rolling * step;
     const double radius = reduced_radius(pair), kr = 0.1 * kt * radius * radius;
     const double most = rolling_friction * radius * std::max(fn, 0.0);
     if (kr * h.roll.norm() > most) h.roll *= most / (kr * h.roll.norm());
-    return interaction(fn * n + ft, -kr * h.roll, n, pair, place);
+    const double cr = is(Fault::rolling_dashpot_sign) ? -1e-3 * std::sqrt(mass * kt) * radius * radius : 0.0;
+    return interaction(fn * n + ft, -kr * h.roll - cr * rolling, n, pair, place);
   }
 
   HostLaw in_units(const verify::Units& u) const {
@@ -223,6 +229,7 @@ struct HostLaw {
   double damping_at(double approach) const {
     if (is(Fault::unclipped_formula)) return unclipped_damping;
     if (is(Fault::normal_dashpot_sign)) return -1e-3;
+    if (is(Fault::damping_when_slow) && std::abs(approach) < usual_speed / 30) return 0.9 * damping;
     if (is(Fault::damping_by_speed))
       return damping + 0.2 * std::log10(std::max(std::abs(approach) / usual_speed, 1e-6));
     return damping;

@@ -1,4 +1,4 @@
-// The kit on our own laws: they keep what they claim, and what they do not promise is found.
+// The checks on laws of the library: each has the properties it claims, and the ones it lacks are found.
 #include "contactlaws/verify/verify.hpp"
 
 #include <cmath>
@@ -48,7 +48,7 @@ using Names = std::vector<std::string>;
 
 const verify::Scales scales{1e-5, 12.5e-3, 1.0, 1e-4, 0.0};  // of the random paths that are tested alone
 
-/// What every law of ours without a bridge claims.
+/// What every law of the library without a bridge claims.
 Claims claims_of(double friction) {
   Claims claims;
   claims.friction = friction;
@@ -59,7 +59,7 @@ Claims claims_of(double friction) {
 
 }  // namespace
 
-TEST_CASE("The named laws keep what they claim") {
+TEST_CASE("The named laws have the properties they claim") {
   Claims claims = claims_of(0.4);
   claims.continuous_in_motion = true;
   claims.restitution = 0.7;
@@ -142,6 +142,7 @@ TEST_CASE("A rolling spring: its couple balances, turns, is swapped and scaled w
   CHECK(failures(check(law, claims)) == Names{});
 
   ForceUpdate alone(verify::adapt(law, pair));
+  alone.in_units = {};
   alone.step = [step = alone.step](const verify::Bodies& b, double dt, ForceUpdate::State& state) {
     verify::Interaction i = step(b, dt, state);
     const double arm = b.one.radius - (b.length() - b.branch().norm()) / 2;
@@ -175,7 +176,7 @@ void check_shear(const Shear& shear, bool passive, bool passive_impacts, bool no
   Claims claims = claims_of(0.4);
   claims.no_tension = claims.continuous_in_motion = true;
   claims.passive = claims.no_ratcheting = claims.follows_twist = true;
-  Names expected;  // what this variant does not promise, and is found to break
+  Names expected;  // the properties that this variant lacks
   if (!follows_twist) expected.push_back("rigid twist");
   if (!no_ratcheting) expected.push_back("ratcheting");
   if (!passive) expected.push_back("energy on closed loops");
@@ -199,7 +200,7 @@ void check_history(bool passive, bool passive_impacts, bool no_ratcheting) {
 
 }  // namespace
 
-TEST_CASE("Every shear variant keeps what it promises, and no more") {
+TEST_CASE("Every shear variant has the properties it claims, and no others") {
   // Which yield energy on loops: tests/composition/test_energy.cpp, in closed form. A displacement alone comes back after a
   // cycle; without dashpots, its energy on a stiffness that grows shows in impacts as well.
   check_history<ShearForce>(false, true, false);
@@ -420,7 +421,7 @@ TEST_CASE("What a law does not offer or claim is not called passed") {
     CHECK(report.find(name)->verdict == Verdict::not_claimed);
 }
 
-TEST_CASE("An open contact may answer with a force alone, and the rest is judged where it is told") {
+TEST_CASE("An open contact may return a force alone; the rest is checked where it is returned") {
   const ForceUpdate full(verify::adapt(test::dry_hill<double>(0.4), pair));
   ForceUpdate terse = full;
   terse.step = [full](const verify::Bodies& b, double dt, ForceUpdate::State& state) {
@@ -437,7 +438,7 @@ TEST_CASE("An open contact may answer with a force alone, and the rest is judged
   CHECK(failures(verify::check_all(wrong, options({}))) == Names{"third law"});
 }
 
-TEST_CASE("A NaN is a failure wherever it is met, and no later number hides it") {
+TEST_CASE("A NaN is a failure, whatever number follows it") {
   verify::Finding finding{0.0, 1.0};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(finding.add(0.5));
@@ -449,10 +450,10 @@ TEST_CASE("A NaN is a failure wherever it is met, and no later number hides it")
   for (const bool normal : {true, false}) {
     ForceUpdate wrong = law;  // no stiffness for the shallow half of the contacts
     wrong.stiffness = [law, normal, nan](const verify::Bodies& b, const ForceUpdate::State& state) {
-      auto told = law.stiffness(b, state);
+      auto claimed = law.stiffness(b, state);
       const bool shallow = b.one.radius + b.two.radius - b.branch().norm() < 5e-6;
-      if (shallow) (normal ? told.normal : told.shear) = nan;
-      return told;
+      if (shallow) (normal ? claimed.normal : claimed.shear) = nan;
+      return claimed;
     };
     CHECK(failures(verify::check_all(wrong, options({}))) == Names{"derivative = stiffness"});
   }

@@ -106,6 +106,7 @@ const Case cases[] = {
     {Fault::normal_dashpot_sign, false, "dashpots dissipate", {"energy of impacts", "restitution"}, 1},
     {Fault::shear_dashpot_sign, false, "dashpots dissipate", {"energy on closed loops"}, 2},
     {Fault::shear_dashpot_sign, false, "energy on closed loops", {"dashpots dissipate"}, 6},
+    {Fault::rolling_dashpot_sign, false, "dashpots dissipate", {"energy on closed loops"}, 2},
     {Fault::damping_by_speed,
      false,
      "energy of impacts",
@@ -120,11 +121,13 @@ const Case cases[] = {
     {Fault::history_unlimited, false, "energy on closed loops", {}, 7},
     {Fault::force_history, true, "ratcheting", {}, 9},
     {Fault::unclipped_formula, false, "restitution", {}, 200},
+    {Fault::damping_when_slow, false, "restitution", {}, 400},
     {Fault::stiffness_tangent, true, "derivative = stiffness", {}, 1},
     {Fault::restart_loses, false, "restart", {}, 4},
     {Fault::exchange_keeps, false, "change of owner", {}, 4},
     {Fault::exchange_keeps_roll, false, "change of owner", {}, 4},
-    {Fault::never_forgets, false, "open contact", {}, 4},
+    {Fault::keeps_when_open, false, "open contact", {}, 4},
+    {Fault::acts_apart, false, "open contact", {"continuity at touch", "unit scaling"}, 1},
     {Fault::divides_by_overlap, false, "finite force", {"no tension"}, 1},
 };
 

@@ -112,7 +112,7 @@ struct ForceUpdate {
   std::function<ContactStiffness<double>(const Bodies&, const State&)> stiffness;
 
   template <class Law, class = std::enable_if_t<!std::is_same_v<Law, ForceUpdate>>>
-  ForceUpdate(const Law& law) {  // NOLINT(google-explicit-constructor): check_all(MyLaw{}, options)
+  ForceUpdate(const Law& law) {  // implicit, for check_all(MyLaw{}, options)
     constexpr bool has_state = detail::offers<detail::State, Law>;
     static_assert(has_state, "a force update needs a nested State: `struct State {};` where it has no history");
     if constexpr (has_state) {

@@ -14,16 +14,16 @@ namespace contactlaws::verify {
 /// The standard fixes the engine's numbers but not its distributions', so these are our own.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Random(std::uint64_t seed) : engine(seed) {}
   /// A sequence for each name, so that the paths of one property do not depend on those of another (FNV-1a).
   Random(std::uint64_t seed, const std::string& name)
-      : engine_([&] {
+      : engine([&] {
           for (const char c : name) seed = (seed ^ static_cast<unsigned char>(c)) * 0x100000001b3;
           return seed;
         }()) {}
 
   double uniform(double low, double high) {
-    return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
+    return low + (high - low) * std::ldexp(static_cast<double>(engine() >> 11), -53);
   }
   double log_uniform(double low, double high) {
     using std::exp;
@@ -53,7 +53,7 @@ class Random {
   }
 
  private:
-  std::mt19937_64 engine_;
+  std::mt19937_64 engine;
 };
 
 /// Sizes that follow from the law's own force at the usual overlap.

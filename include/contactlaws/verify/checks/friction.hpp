@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction: never more than its coefficient allows, as much as it promises in a long slide, and no slip left out.
+// Friction: never more than its coefficient allows, as much as it claims in a long slide, and no slip left out.
 #pragma once
 
 #include "contactlaws/verify/setup.hpp"

@@ -101,7 +101,7 @@ inline Result galilean_invariance(const Setup& setup, const char* name) {
   const Vector drift = 10 * setup.scales.speed() * random.direction();
   const Vector elsewhere = setup.scales.length * random.direction();
   const auto observe = [&](const Instant& i, double time) {
-    const auto moved = [&](Body b) {
+    const auto moved = [&](const Body& b) {
       return Body{b.position + elsewhere + drift * time, b.velocity + drift, b.spin, b.radius, b.mass};
     };
     return Instant{detail::changed(i.bodies, moved), i.dt};
