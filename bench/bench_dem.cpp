@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A whole DEM step of examples/dem: neighbours checked, kinematics, law, forces added up, motion. The scene is a lattice of
-// 30 x 30 x 30 touching balls of granite with friction and dashpots, that of bench/peers; built once per instruction set.
-// `per_contact` is wall time by one contact, times threads: what a contact costs a core.
+// A whole DEM step of examples/dem: check of the neighbour list, kinematics, law, sums of forces, motion. The scene is the
+// lattice of bench/peers: 30 x 30 x 30 touching balls of granite with friction and dashpots. Built once per instruction set.
+// `per_contact` is wall time times threads, per contact.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>

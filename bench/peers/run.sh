@@ -1,10 +1,10 @@
 #!/bin/sh
-# LAMMPS and our own step, in turn on one core, over the same lattice: ns of processor time per contact and step, and the
-# ratio. (Processor time, not time on the clock: others may want the core too.)
+# LAMMPS and examples/dem in turn on one core, on the same lattice: ns of processor time per contact and step, and the ratio.
+# (Processor time, since other programs may use the core.)
 #
 #   sh bench/peers/run.sh BUILD_DIRECTORY [RESULTS_DIRECTORY]
 #
-# LAMMPS (GPL) runs as a program of its own. Ours are the builds of bench_dem, the fastest that this machine can run.
+# LAMMPS (GPL) runs as a separate program. Of the builds of bench_dem the fastest counts.
 set -eu
 cd "$(dirname "$0")/../.."
 build=$1

@@ -24,12 +24,16 @@ TEST_CASE("Time step: stiffnesses of a contact are the tangents, and dashpots st
   CHECK(linear.stiffness(pair, overlap, {}).shear == Approx(0.5 * 1.82212373908208e8).epsilon(1e-14));
 }
 
-TEST_CASE("Time step: a contact across a gap counts as one of overlap 2e-4 R_o") {
+TEST_CASE("Time step: a wet gap counts as an overlap of 2e-4 R_o, a dry one not at all") {
   const PairProperties<double> pair = granite_pair<double>();
   const Hill<double> law = test::hill<double>(0.4, 2e5, 0.07);
+  Hill<double>::State wet{};
+  wet.moisture = 2.0;
   for (const double overlap : {0.0, -1e-6, -5e-3}) {
-    CHECK(law.stiffness(pair, overlap, {}).normal == law.stiffness(pair, 1e-6, {}).normal);
-    CHECK(law.stiffness(pair, overlap, {}).shear == law.stiffness(pair, 1e-6, {}).shear);
+    CHECK(law.stiffness(pair, overlap, wet).normal == law.stiffness(pair, 1e-6, {}).normal);
+    CHECK(law.stiffness(pair, overlap, wet).shear == law.stiffness(pair, 1e-6, {}).shear);
+    CHECK(law.stiffness(pair, overlap, {}).normal == 0.0);
+    CHECK(law.stiffness(pair, overlap, {}).shear == 0.0);
   }
 }
 
@@ -100,8 +104,8 @@ TEST_CASE("Impact: the overlap stores the kinetic energy, and the duration scale
     const double kinetic = pair.effective_mass * speed * speed / 2.0;
     CHECK(hertz_energy(pair, static_cast<double>(exact)) == Approx(kinetic).epsilon(1e-14));  // 20 roundings
   }
-  CHECK(overlap.error() <= 4.0);
-  CHECK(duration.error() <= 5.0);
+  CHECK(overlap.error() <= 16.0);
+  CHECK(duration.error() <= 16.0);
 }
 
 }  // namespace contactlaws::test

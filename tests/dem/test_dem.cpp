@@ -1,4 +1,4 @@
-// The integrator of examples/dem: what it finds, keeps, conserves and refuses. Impacts against closed forms: test_impact.cpp.
+// The integrator of examples/dem: neighbours, conservation, motion, input, files. Closed forms: test_impact.cpp.
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -36,7 +36,7 @@ LinearFriction<double> linear(double modulus) {
   return law;
 }
 
-/// Balls of 1 to 5 mm that rush about in a box, not overlapping at first.
+/// Balls of 1 to 5 mm that move at random in a box, without overlaps at the start.
 std::vector<Ball> cloud(Random& random, int count, double edge, double speed) {
   std::vector<Ball> balls;
   while (static_cast<int>(balls.size()) < count) {
@@ -75,7 +75,7 @@ std::set<std::pair<int, int>> near_by_brute_force(const std::vector<Position>& x
 
 // Neighbours ----------------------------------------------------------------------------------------------------------
 
-TEST_CASE("neighbours are those that comparing all pairs finds") {
+TEST_CASE("the neighbour search finds the pairs that comparing all pairs finds") {
   Random random;
   struct Cloud {
     int count;
@@ -101,12 +101,12 @@ TEST_CASE("neighbours are those that comparing all pairs finds") {
   }
 }
 
-TEST_CASE("a position that is not finite names its ball") {
+TEST_CASE("a position that is not finite: the message has the ball") {
   const std::vector<V> x{V::Zero(), V(0.0, std::nan(""), 0.0)};
   CHECK_THROWS_WITH(dem::find_neighbours(x, {1.0, 1.0}, 0.0), ContainsSubstring("ball 1 is lost"));
 }
 
-TEST_CASE("no contact is missed in motion, and none outlives its reach") {
+TEST_CASE("in motion the active contacts are those of all pairs") {
   Random random(7);
   const double edge = 0.05;
   Scene scene = rushing_cloud(cloud(random, 80, edge, 3.0), edge);
@@ -126,7 +126,7 @@ TEST_CASE("no contact is missed in motion, and none outlives its reach") {
 
 // Histories -----------------------------------------------------------------------------------------------------------
 
-TEST_CASE("nothing depends on when neighbours were listed, to the last bit") {
+TEST_CASE("results do not depend on when neighbours were listed, to the last bit") {
   Random random(11);
   const double edge = 0.05;
   const std::vector<Ball> balls = cloud(random, 60, edge, 2.0);
@@ -176,7 +176,7 @@ TEST_CASE("a bridge keeps its history across listings until it ruptures") {
   CHECK_FALSE(scene.ball_contact(0).response.active);
 }
 
-TEST_CASE("setting up moves no history and no body") {
+TEST_CASE("starting a scene and measuring it changes no history and no body") {
   Random random(3);
   Scene scene = rushing_cloud(cloud(random, 20, 0.04, 1.0), 0.04);
   const Scene before = scene;
@@ -191,7 +191,7 @@ TEST_CASE("setting up moves no history and no body") {
     CHECK(scene.wall_contacts.state(c).shear == std::array<double, 3>{});
 }
 
-TEST_CASE("a saved scene goes on bit for bit") {
+TEST_CASE("a restored scene goes on bit for bit") {
   Random random(5);
   const std::vector<Ball> balls = cloud(random, 40, 0.04, 2.0);
   Scene scene = rushing_cloud(balls, 0.04);
@@ -267,9 +267,9 @@ TEST_CASE("a bounce without damping keeps its energy, to the square of the step"
 }
 
 TEST_CASE("shear does not creep while a grain vibrates at a slant") {
-  // Along one straight line and back the surfaces slide to and fro by the same. Velocities of the half step measured in the
-  // contact plane of the full step would slide by v_n v_t dt^2 / (2 (R1 + R2)) more at each step, always the same way.
-  // (A law that stores the force adds a creep of its own, v_n v_t dt^2 / (4 o): it takes the stiffness of the step's end.)
+  // On a straight line and back the slip must sum to zero. Velocities of the half step, projected on the contact plane of the
+  // full step, would add v_n v_t dt^2 / (2 (R1 + R2)) of slip per step, always in one direction. (A law that stores the force
+  // adds a creep of v_n v_t dt^2 / (4 o), since it takes the stiffness of the end of the step.)
   using Law = ContactLaw<Hertz<double>, NoDashpots<double>, ShearDisplacement<double>>;
   Law law;
   law.shear.friction = 1e6;
@@ -290,11 +290,11 @@ TEST_CASE("shear does not creep while a grain vibrates at a slant") {
     largest = std::max(largest, std::abs(force.x()));
     crept = force.x();
   }
-  // By that formula 500 cycles would creep by 0.12 um, a twelfth of the vibration in shear.
+  // By that formula 500 cycles would creep by 0.12 um, a twelfth of the amplitude in shear.
   CHECK(std::abs(crept) < 0.02 * largest);
 }
 
-TEST_CASE("results do not depend on the order in which balls enter, but for rounding") {
+TEST_CASE("results depend on the order of the balls by rounding only") {
   Random random(17);
   const double edge = 0.05;
   const std::vector<Ball> balls = cloud(random, 60, edge, 2.0);
@@ -338,10 +338,10 @@ TEST_CASE("a driven wall takes balls along, and fixed balls stay") {
   CHECK(scene.balls.position[static_cast<std::size_t>(fixed)] == V(0.0, 0.0, 40e-3));
 }
 
-TEST_CASE("the estimated step is stable, and not by an idle margin") {
-  // A row of 30 balls between two walls, pressed alike and then disturbed. In the fastest mode of a long row neighbours move
-  // against each other: sum k = 2 k, w^2 = 4 k/m, so central differences hold up to 2/w = sqrt(m/k) = sqrt(2) estimates; or
-  // 1.5, since the max_tangent contacts, at the walls, make the estimate.
+TEST_CASE("the stable step is stable, and 1.6 times of it is not") {
+  // A row of 30 balls between two walls, under uniform compression, then disturbed. In the fastest mode of a long row
+  // neighbours move against each other: sum k = 2 k, w^2 = 4 k/m, so central differences are stable up to
+  // 2/w = sqrt(m/k) = sqrt(2) estimates; 1.5 here, since the stiffer contacts at the walls determine the estimate.
   const auto growth = [](double share) {
     dem::Simulation<SmoothHertz<double>> scene(SmoothHertz<double>{});
     const double radius = 1e-3, overlap = 1e-6, spacing = 2 * radius - overlap, disturbance = 1e-9;
@@ -364,12 +364,12 @@ TEST_CASE("the estimated step is stable, and not by an idle margin") {
   CHECK(growth(1.6) > 1e5);
 }
 
-TEST_CASE("a grain a hundred times smaller falls through a gap of large ones without sticking") {
+TEST_CASE("a grain a hundred times smaller falls through a gap between large ones without sticking") {
   Random random(23);
   for (int trial = 0; trial < test::cases(5); ++trial) {
     const double damping = damping_constant(0.5, Spring::hertz, Tension::allowed);
-    // Between two large grains that touch, the small one sits in a wedge of sqrt(2 r/R) = 0.14 rad to either side, and
-    // friction beyond its tangent would jam it there in truth.
+    // Between two large grains that touch, the small one is in a wedge of sqrt(2 r/R) = 0.14 rad to either side. Friction
+    // above its tangent would rightly hold it there.
     dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.1, damping));
     scene.gravity = {0.0, 0.0, -9.81};
     const double large = 10e-3, small = 0.1e-3;
@@ -396,7 +396,7 @@ TEST_CASE("a grain a hundred times smaller falls through a gap of large ones wit
   }
 }
 
-TEST_CASE("the unbalanced ratio weighs forces and moments against what presses and pulls") {
+TEST_CASE("the unbalanced ratio divides unbalanced forces and torques by normal forces and weights") {
   Scene scene(test::hill<double>(0.4, 200e3, 0.0), linear(29e6));
   scene.add(dem::Wall{plane(granite), V::Zero(), V::UnitZ()});
   scene.add(Ball{sphere(granite, 5e-3), {0.0, 0.0, 4.999e-3}, V::UnitX()});
@@ -460,9 +460,9 @@ TEST_CASE("settling ends at rest, and at Ctrl-C") {
   CHECK(interrupted.steps == 25);
 }
 
-// What is refused, and what is warned of ------------------------------------------------------------------------------
+// Input ---------------------------------------------------------------------------------------------------------------
 
-TEST_CASE("bad input says what, its value, unit and range") {
+TEST_CASE("invalid input: the message has the quantity, its value, unit and range") {
   dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.0));
   const ContactBody<double> side = sphere(granite, 5e-3);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -496,7 +496,7 @@ TEST_CASE("bad input says what, its value, unit and range") {
                     ContainsSubstring("/nowhere/scene.json: cannot be written"));
 }
 
-TEST_CASE("grains that start too deep in each other are named") {
+TEST_CASE("a warning names the bodies that start with large overlaps") {
   dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.0));
   std::ostringstream log;
   scene.log = &log;

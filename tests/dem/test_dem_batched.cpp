@@ -1,4 +1,4 @@
-// The packs of examples/dem: what they compute is what a contact alone would get, whatever the number of threads.
+// Contacts of examples/dem in packs give the results of contacts one at a time, for any number of threads.
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
 #include "examples/dem/simulation.hpp"
@@ -14,7 +14,7 @@ namespace {
 const ElasticMaterial<double> soft{5e6, 0.3, 2500.0};
 constexpr double moisture_gap = 1e-3;
 
-/// `count` balls that rush about in a box: they touch, slide, open and are listed anew.
+/// `count` balls that move at random in a box: they touch, slide, separate and are listed anew.
 template <class Scene>
 void fill(Scene& scene, int count) {
   Random random(19);
@@ -42,7 +42,7 @@ double largest_difference(const One& one, const Other& other) {
 
 }  // namespace
 
-TEST_CASE("packs give the bits of one contact at a time, with every tail, through walls and listings") {
+TEST_CASE("packs give the bits of one contact at a time, for any number of contacts left over") {
   const DryHill<double> law = test::dry_hill<double>(0.4, 0.1);
   for (const int count : {2, 3, 5, 16, 63, 64}) {
     dem::Simulation<DryHill<double>, DryHill<double>, double> one_by_one(law);
@@ -60,7 +60,7 @@ TEST_CASE("packs give the bits of one contact at a time, with every tail, throug
   }
 }
 
-TEST_CASE("the law asked again about one contact says what its pack was told") {
+TEST_CASE("a contact evaluated again alone gives the bits of its pack") {
   dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.4, 0.1));
   fill(scene, 64);
   int touching = 0, sliding = 0;

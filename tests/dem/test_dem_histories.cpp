@@ -221,4 +221,11 @@ TEST_CASE("dry gaps of a wet law are neither listed beyond the skin nor counted 
   CHECK(dem::stable_time_step(wet) < 0.6 * dem::stable_time_step(dry));
   dry.make_wet(2e-6);
   CHECK(dry.ball_contacts.size() == 54);
+
+  dem::Simulation<Hill<double>> apart(test::hill<double>(0.4, 1e3, 0.1));  // a dry pair that separates
+  apart.add(Ball{sphere(granite, 5e-3), V::Zero(), V::Zero(), V::Zero(), false});
+  apart.add(Ball{sphere(granite, 5e-3), {10e-3, 0.0, 0.0}, {1.0, 0.0, 0.0}, V::Zero(), false});
+  apart.time_step = 1e-4;
+  run(apart, 30);
+  CHECK(apart.ball_contacts.size() == 0);  // a gap of 3 mm, the skin is 1.5 mm
 }

@@ -25,8 +25,8 @@ struct Impact {
   double duration;  ///< [s]
 };
 
-/// Steps from touch until contact number 0 opens. Extremes by a parabola, the end by a straight line between the steps, so
-/// that all are exact to the square of the step, or better.
+/// Steps from touch until contact number 0 opens. Extremes by a parabola and the end by a line through the last steps: errors
+/// of the second order in the step, or less.
 template <class Scene>
 Impact watch(Scene& scene) {
   double before = 0.0, last = 0.0, deepest = 0.0, force = 0.0;
@@ -106,8 +106,8 @@ void check_restitution() {
     ContactLaw<LinearSpring<double>, Dashpots<double, tension>> linear;
     linear.normal.normal_stiffness = stiffness;
     linear.damping.damping_constant = damping_constant(e, Spring::linear, tension);
-    // A velocity half a step old makes the damping first order in the step: one extrapolation takes that away. The kink
-    // at the start of a Hertz contact, o^(1/4), leaves an error of the order 5/4, which settles how small the steps are.
+    // Velocities are half a step old, so the damping is first order in the step: one extrapolation removes that error. The
+    // dashpot of a Hertz contact starts as o^(1/4), which leaves an error of the order 5/4 and determines the step.
     const auto extrapolated = [](const auto& of_steps) { return 2 * of_steps(80000) - of_steps(40000); };
     for (const double speed : {0.01, 0.2, 5.0}) {
       const double hertz_duration = contact_factor * deepest_overlap(pair, speed) / speed;
