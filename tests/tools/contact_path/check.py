@@ -6,7 +6,6 @@ fault in its input, and what it leaves behind.
 """
 
 import csv
-import importlib.util
 import math
 import os
 import subprocess
@@ -425,27 +424,6 @@ class Notes(InTemporaryDirectory):
         result = run(self.file("law.toml", law), self.file("path.csv", path), "-o", self.directory / "out.csv", "--precision", "200")
         self.assertIn("contact_path: ", result.stderr)
         self.assertIn(" %", result.stderr)
-
-
-@unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
-class Plot(InTemporaryDirectory):
-    def test_tolerance(self):
-        """1 % of difference against a tolerance; a NaN is beyond any; without a tolerance nothing fails."""
-        mine = lambda value: self.file("mine.csv", f"fx,fy,fz\n0,0,100\n0,0,{value}\n")
-        out = self.file("out.csv", "fx,fy,fz\n0,0,100\n0,0,50\n")
-
-        def plot(*arguments):
-            return subprocess.run([sys.executable, EXAMPLE / "plot_path.py", out, *arguments], capture_output=True, text=True)
-
-        for value, tolerance, status in (("51", "0.011", 0), ("51", "0.009", 1), ("nan", "1e9", 1), ("nan", None, 0)):
-            with self.subTest(value=value, tolerance=tolerance):
-                result = plot(mine(value), *(("--tolerance", tolerance) if tolerance else ()))
-                self.assertEqual((result.returncode, result.stderr), (status, ""))
-        for text, words in (("", "mine.csv: has no rows"), ("fx,fy\n1,2\n", "mine.csv: column fz is missing"),
-                            ("fx,fy,fz\n1,2,x\n", "mine.csv: could not convert")):
-            result = plot(self.file("mine.csv", text))
-            self.assertEqual(result.returncode, 1)
-            self.assertIn(words, result.stderr)
 
 
 class Faults(InTemporaryDirectory):
