@@ -41,10 +41,9 @@ int measure(const Arguments& arguments) {
   const std::string directory = arguments.directory.empty() ? "build/results" : arguments.directory;
   std::vector<std::pair<std::string, LawSpec>> laws;
   for (const std::string& file : arguments.laws) {
-    laws.emplace_back(std::filesystem::path(file).stem().string(), contact_path::read_law(file));
+    laws.emplace_back(std::filesystem::path(file).stem().string(), read_measured_law(file));
     if (laws.back().second.bodies.empty())
       fail({file}, "[pair] must have bodies here: the families of motion move them");
-    check_measured(laws.back().second);
   }
   common::OutputFolder folder(directory);
   Effort effort;

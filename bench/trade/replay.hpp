@@ -20,6 +20,13 @@
 
 namespace trade {
 
+/// @throws InputError also for a law that is not measured here
+inline LawSpec read_measured_law(const std::string& file) {
+  LawSpec law = contact_path::read_law(file);
+  check_measured(law);
+  return law;
+}
+
 struct Candidate {
   Composition composition;
   Errors errors;
@@ -31,12 +38,10 @@ struct Candidate {
 class Replay {
  public:
   Replay(const std::string& recording, const std::string& law_file, double tolerance, int repetitions)
-      : law_(contact_path::read_law(law_file)),
+      : law_(read_measured_law(law_file)),
         motion_(read_recording(recording)),
         tolerance_(tolerance),
-        repetitions_(repetitions) {
-    check_measured(law_);
-  }
+        repetitions_(repetitions) {}
 
   /// 0, or 1 if no composition is within the tolerance. Writes replay.csv into `directory`, if one is named.
   int run(std::ostream& out, const std::string& directory) {

@@ -50,7 +50,8 @@ class AnyNormal {
   template <class U>
   using Rebind = AnyNormal<U>;
   using Response = contactlaws::AdhesiveResponse<T>;
-  static constexpr bool adheres = true;  // a law that does not has an adhesion of zero
+  static constexpr bool adheres = true;              // a law that does not has an adhesion of zero
+  static constexpr bool outlives_separation = true;  // a law that does not resets its history itself
   static constexpr std::size_t room = 3;
   struct State {
     std::array<T, room> normal = {T(0), T(0), T(0)};
@@ -61,24 +62,35 @@ class AnyNormal {
   explicit AnyNormal(const Law& law) : names(detail::names_of<Law, room>()) {
     constexpr bool pulls = contactlaws::detail::adheres<Law>;
     const auto received = [](const T& overlap) { return pulls ? overlap : contactlaws::positive_part<T>(overlap); };
-    respond_ = [law, received](T* values, const PairProperties<T>& pair, const T& overlap) {
+    const auto touches = [law](const T* values, const PairProperties<T>& pair, const T& overlap) {
+      if constexpr (pulls) {
+        return bool(law.touches(detail::load<Law, T>(values), pair, overlap));
+      } else {
+        return !(overlap <= T(0));
+      }
+    };
+    respond_ = [law, received, touches](T* values, const PairProperties<T>& pair, const T& overlap) {
       typename Law::State state = detail::load<Law, T>(values);
-      const Response response = complete(law.respond(state, pair, received(overlap)));
+      Response response{};
+      if (contactlaws::detail::outlives_separation<Law> || touches(values, pair, overlap)) {
+        response = complete(law.respond(state, pair, received(overlap)));
+      } else {
+        state = typename Law::State{};
+      }
       detail::store<Law, T>(state, values);
       return response;
     };
     energy_ = [law, received](const T* values, const PairProperties<T>& pair, const T& overlap) {
       return law.energy(detail::load<Law, T>(values), pair, received(overlap));
     };
-    if constexpr (pulls) {
-      touches_ = [law](const T* values, const PairProperties<T>& pair, const T& overlap) {
-        return law.touches(detail::load<Law, T>(values), pair, overlap);
-      };
-      range_ = [law](const PairProperties<T>& pair) { return law.range(pair); };
-    } else {
-      touches_ = [](const T*, const PairProperties<T>&, const T& overlap) { return !(overlap <= T(0)); };
-      range_ = [](const PairProperties<T>&) { return T(0); };
-    }
+    touches_ = touches;
+    range_ = [law]([[maybe_unused]] const PairProperties<T>& pair) {
+      if constexpr (pulls) {
+        return law.range(pair);
+      } else {
+        return T(0);
+      }
+    };
   }
 
   std::array<StateValue, room> names;

@@ -6,7 +6,6 @@ fault in its input, and what it leaves behind.
 """
 
 import csv
-import importlib.util
 import math
 import os
 import subprocess
@@ -203,15 +202,15 @@ class Numbers(InTemporaryDirectory):
     def test_rolling(self):
         """M = -k_r w dt from the first step on, k_r = 9/4 k_n (mu_r R*)^2, up to mu_r R* F (Ai et al. 2011, model C)."""
         law = '[normal]\nlaw = "linear"\nstiffness = 1e6\n[rolling]\nlaw = "spring"\nrolling_friction = 0.1\n' + PAIR
-        spin = HEADER.replace("\n", ",wx,wy,wz\n") + "1e-6,1e-4,0,0,1,0,0,0,0,2,7\n" * 400
+        spin = HEADER.replace("\n", ",wx,wy,wz\n") + "1e-3,1e-4,0,0,1,0,0,0,0,2,7\n" * 400
         rows = self.drive(law, spin)
         stiffness, limit = 9 / 4 * 1e6 * (0.1 * 3e-3) ** 2, 0.1 * 3e-3 * 1e6 * 1e-4
-        self.assert_close(rows[0]["my"], -stiffness * 2e-6, 1e-14)
+        self.assert_close(rows[0]["my"], -stiffness * 2e-3, 1e-14)
         self.assert_close(rows[-1]["my"], -limit, 1e-14)
         self.assertEqual({row["mx"] for row in rows} | {row["mz"] for row in rows} | {row["fx"] for row in rows} - {"-0"}, {"0"})
-        # dissipated: the work of the couple less what the spring stores; trapezoids of 200 steps to the limit
+        # dissipated: the work of the couple less what the spring stores; trapezoids, 74 of them to the limit
         loaded = limit / stiffness
-        self.assert_close(rows[-1]["dissipated_energy"], limit * (800e-6 - loaded), 1e-2)
+        self.assert_close(rows[-1]["dissipated_energy"], limit * (0.8 - loaded), 1e-2)
 
     def test_adhesion(self):
         """DMT: Hertz less 2 pi w R*."""
@@ -405,9 +404,9 @@ class Notes(InTemporaryDirectory):
         self.assertNotIn("open in every step", self.notes(HERTZ + bridge + PAIR, HEADER + opening))
 
     def test_overlap_and_velocity_that_contradict_each_other(self):
-        grows = "".join(f"1e-6,{i}e-5,0,0,{{}},0,0,-10\n" for i in (1, 2, 3))
-        self.assertEqual(self.notes(HERTZ + PAIR, HEADER + grows.format(1)), "")
-        self.assertIn("note: the overlap grows where the velocity separates", self.notes(HERTZ + PAIR, HEADER + grows.format(-1)))
+        grows = "".join(f"1e-6,{i}e-5,0,0,N,0,0,-10\n" for i in (1, 2, 3))
+        self.assertEqual(self.notes(HERTZ + PAIR, HEADER + grows.replace("N", "1")), "")
+        self.assertIn("note: the overlap grows where the velocity separates", self.notes(HERTZ + PAIR, HEADER + grows.replace("N", "-1")))
 
     def test_an_overlap_beyond_the_smaller_radius(self):
         deep = HEADER + STEP + STEP.replace("1e-4", "{}")
@@ -421,31 +420,10 @@ class Notes(InTemporaryDirectory):
 
     def test_progress_of_a_long_run(self):
         law = law_text("memo_hill_dashpots")
-        path = HEADER + STEP * 30000
+        path = HEADER + STEP * 300000  # some 4 s; the first second has no progress
         result = run(self.file("law.toml", law), self.file("path.csv", path), "-o", self.directory / "out.csv", "--precision", "200")
         self.assertIn("contact_path: ", result.stderr)
         self.assertIn(" %", result.stderr)
-
-
-@unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
-class Plot(InTemporaryDirectory):
-    def test_tolerance(self):
-        """1 % of difference against a tolerance; a NaN is beyond any; without a tolerance nothing fails."""
-        mine = lambda value: self.file("mine.csv", f"fx,fy,fz\n0,0,100\n0,0,{value}\n")
-        out = self.file("out.csv", "fx,fy,fz\n0,0,100\n0,0,50\n")
-
-        def plot(*arguments):
-            return subprocess.run([sys.executable, EXAMPLE / "plot_path.py", out, *arguments], capture_output=True, text=True)
-
-        for value, tolerance, status in (("51", "0.011", 0), ("51", "0.009", 1), ("nan", "1e9", 1), ("nan", None, 0)):
-            with self.subTest(value=value, tolerance=tolerance):
-                result = plot(mine(value), *(("--tolerance", tolerance) if tolerance else ()))
-                self.assertEqual((result.returncode, result.stderr), (status, ""))
-        for text, words in (("", "mine.csv: has no rows"), ("fx,fy\n1,2\n", "mine.csv: column fz is missing"),
-                            ("fx,fy,fz\n1,2,x\n", "mine.csv: could not convert")):
-            result = plot(self.file("mine.csv", text))
-            self.assertEqual(result.returncode, 1)
-            self.assertIn(words, result.stderr)
 
 
 class Faults(InTemporaryDirectory):
