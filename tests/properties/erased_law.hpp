@@ -179,11 +179,11 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
   Friction<T> friction() const override {
     Friction<T> result;
     for (const auto& p : decltype(Law::shear)::parameters()) {
-      if (p.name == std::string_view("friction")) result.sliding = law_.shear.*p.member;
-      if (p.name == std::string_view("static_friction")) result.largest = law_.shear.*p.member;
+      const T& value = law_.shear.*p.member;
+      if (p.name == std::string_view("friction")) result = {value, value, value};
+      if (p.name == std::string_view("static_friction"))  // comes after the other
+        result = {result.sliding, maximum<T>(value, result.sliding), minimum<T>(value, result.sliding)};
     }
-    result.least = result.largest > T(0) ? minimum<T>(result.largest, result.sliding) : result.sliding;
-    result.largest = maximum<T>(result.largest, result.sliding);
     return result;
   }
   T adhesion(const PairProperties<T>& pair, const T& overlap) const override {
