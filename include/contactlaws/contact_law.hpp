@@ -113,13 +113,13 @@ struct ContactLaw {
                           T(0),
                           !(kinematics.overlap < T(0)),
                           Mask<T>(false)};
-    const Mask<T> touching = touches(state, pair, kinematics.overlap);
-    if constexpr (adheres) result.active = result.active || touching;
-    if (any<T>(touching)) {
-      close_contact(pair, kinematics, touching, result);
-      if constexpr (!std::is_same_v<Mask<T>, bool>) mask_open_lanes(!touching, result);
-    } else {
+    const Mask<T> open = is_open(state, pair, kinematics.overlap);
+    if constexpr (adheres) result.active = result.active || !open;
+    if (all<T>(open)) {
       open_contact(pair, kinematics.overlap, result.state);
+    } else {
+      close_contact(pair, kinematics, open, result);
+      if constexpr (!std::is_same_v<Mask<T>, bool>) mask_open_lanes(open, result);
     }
     if constexpr (Bridge::acts) {
       const BridgeResponse<T> pull = bridge.respond(result.state, pair, kinematics.overlap);
@@ -202,11 +202,12 @@ struct ContactLaw {
   }
 
  private:
-  CONTACTLAWS_HD Mask<T> touches(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
+  /// Not where the overlap is NaN: the force is NaN then.
+  CONTACTLAWS_HD Mask<T> is_open(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
     if constexpr (adheres) {
-      return normal.touches(state, pair, overlap);
+      return !normal.touches(state, pair, overlap);
     } else {
-      return !(overlap <= T(0));
+      return overlap <= T(0);
     }
   }
   /// The overlap that the normal law receives.
@@ -219,7 +220,7 @@ struct ContactLaw {
   }
 
   CONTACTLAWS_HD void close_contact(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
-                                    const Mask<T>& touching, Step<T, State>& result) const noexcept {
+                                    const Mask<T>& open, Step<T, State>& result) const noexcept {
     T overlap = kinematics.overlap;
     if constexpr (!std::is_same_v<Mask<T>, bool>) overlap = normal_overlap(overlap);  // some lanes may be open
     const auto response = normal.respond(result.state, pair, overlap);
@@ -243,7 +244,7 @@ struct ContactLaw {
                                 shear_stiffness,
                                 dashpot.shear,
                                 positive_part<T>(load),
-                                touching};
+                                open};
       const ShearResponse<T> sheared = shear.template respond<Damping::damps_shear>(result.state, input);
       result.force = result.force + sheared.force;
       result.sliding = sheared.sliding;

@@ -83,7 +83,7 @@ struct ShearInput {
   T stiffness;            ///< shear stiffness at this overlap, 0 when open [N/m]
   T dashpot;              ///< c_s [kg/s]; read when damped
   T friction_load;        ///< normal force that friction multiplies: without the bridge, never negative [N]
-  Mask<T> touching;       ///< of a pack's lanes, those in contact
+  Mask<T> open;           ///< of the lanes of a pack, those without contact
 };
 
 template <class T>

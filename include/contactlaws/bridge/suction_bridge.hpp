@@ -79,14 +79,15 @@ struct SuctionBridge {
   CONTACTLAWS_HD BridgeResponse<T> respond(State& state, const PairProperties<T>& pair,
                                            const T& overlap) const noexcept {
     using std::exp;
-    const Mask<T> wet = is_wet(state);
-    if (!any<T>(wet)) return {T(0), wet};
+    const Mask<T> dry = state.moisture < T(2);
+    if (all<T>(dry)) return {T(0), !dry};
     const T gap = positive_part<T>(T(-overlap));
-    const Mask<T> intact = wet && !(gap >= rupture(pair));
+    const Mask<T> ruptured = gap >= rupture(pair);
+    const Mask<T> intact = !(dry || ruptured);
     T force = largest_force(pair);
-    if (any<T>(intact && !(gap <= T(0)))) force = force * T(exp(T(-gap / (decay_length * pair.min_radius))));
+    if (!all<T>(gap <= T(0))) force = force * T(exp(T(-gap / (decay_length * pair.min_radius))));
     force = select<T>(state.moisture >= T(2), force, state.moisture);  // a NaN moisture gives a NaN force
-    state.moisture = select<T>(wet && !intact, T(1), state.moisture);
+    state.moisture = select<T>(ruptured && !dry, T(1), state.moisture);
     return {select<T>(intact, force, T(0)), intact};
   }
 

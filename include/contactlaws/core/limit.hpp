@@ -22,8 +22,8 @@ struct LengthLimit {
 template <class T>
 CONTACTLAWS_HD LengthLimit<T> length_limit(const Vec3<T>& v, const T& limit, const T& limited) noexcept {
   const T length = norm<T>(v);
-  const Mask<T> exceeded = !(length <= limit);  // also where one is NaN
-  return {select<T>(exceeded, limited, T(1)) / select<T>(exceeded, length, T(1)), exceeded};
+  const Mask<T> within = length <= limit;  // not where one is NaN
+  return {select<T>(within, T(1), limited) / select<T>(within, T(1), length), !within};
 }
 
 }  // namespace contactlaws::detail

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>  // cross
@@ -64,10 +65,20 @@ CONTACTLAWS_HD bool any(const Mask<T>& condition) noexcept {
   return ScalarTraits<T>::any(condition);
 }
 
+/// Whether `condition` holds in every lane.
+template <class T>
+CONTACTLAWS_HD bool all(const Mask<T>& condition) noexcept {
+  if constexpr (std::is_same_v<Mask<T>, bool>) {
+    return condition;
+  } else {
+    return ScalarTraits<T>::all(condition);
+  }
+}
+
 /// max(x, 0). A NaN stays a NaN, and -0 stays -0.
 template <class T>
 CONTACTLAWS_HD T positive_part(const T& x) noexcept {
-  return select<T>(!(x < T(0)), x, T(0));
+  return select<T>(x < T(0), T(0), x);
 }
 
 /// min(a, b) and max(a, b), named in full: Eigen's own min and max would be found by argument-dependent lookup.

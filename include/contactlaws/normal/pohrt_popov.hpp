@@ -190,7 +190,7 @@ struct PohrtPopovElastoPlastic : RoughProfile<T> {
     const auto at_largest = this->indentation(largest);
     const T depth = positive_part<T>(T(at_largest.depth - (largest - overlap)));
     state.largest_overlap = largest;
-    if (!any<T>(!(depth <= T(0)))) return {T(0), T(0), T(0), T(0)};  // a square root has no derivative at 0
+    if (all<T>(depth <= T(0))) return {T(0), T(0), T(0), T(0)};  // a square root has no derivative at 0
     const HertzResponse<T> hertz = hertz_response<T>(pair, depth);
     const T virgin_stiffness = hertz.stiffness * at_largest.slope;
     return {hertz.force, select<T>(virgin, virgin_stiffness, hertz.stiffness), hertz.secant, hertz.stiffness};

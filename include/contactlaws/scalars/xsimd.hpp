@@ -41,6 +41,7 @@ struct ScalarTraits<xsimd::batch<L, A>> {
     return xsimd::select(condition, yes, no);
   }
   static bool any(const Mask& condition) noexcept { return xsimd::any(condition); }
+  static bool all(const Mask& condition) noexcept { return xsimd::all(condition); }
   static Pack load(const L* values) noexcept { return Pack::load_unaligned(values); }
   static void store(L* values, const Pack& x) noexcept { x.store_unaligned(values); }
 };

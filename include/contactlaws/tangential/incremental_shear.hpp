@@ -203,8 +203,8 @@ struct IncrementalShear : Stiffness, Friction {
     Vec3<T> history = Rotation::apply(state, Vec3<T>(state.shear[0], state.shear[1], state.shear[2]),
                                       in.kinematics.normal, T(in.kinematics.normal_spin * in.kinematics.dt));
     if constexpr (rescales) {
-      const Mask<T> falls = !(in.stiffness >= state.last_stiffness);  // also where one is NaN
-      const T fall = select<T>(falls, in.stiffness, T(1)) / select<T>(falls, state.last_stiffness, T(1));
+      const Mask<T> keeps = in.stiffness >= state.last_stiffness;  // not where one is NaN
+      const T fall = select<T>(keeps, T(1), in.stiffness) / select<T>(keeps, T(1), state.last_stiffness);
       history = history * fall;
       state.last_stiffness = in.stiffness;
     }
@@ -225,7 +225,7 @@ struct IncrementalShear : Stiffness, Friction {
     Mask<T> sticks = detail::surely_within<T>(spring, limit);
     if constexpr (damped) sticks = sticks && detail::surely_within<T>(total, limit);
     Mask<T> sliding(false);
-    if (any<T>(in.touching && !sticks)) {
+    if (!all<T>(in.open || sticks)) {
       const T kinetic = this->sliding_force(limit, in.friction_load);
       const detail::LengthLimit<T> first = detail::length_limit<T>(spring, limit, kinetic);
       spring = spring * first.factor;
