@@ -114,4 +114,20 @@ TEMPLATE_TEST_CASE("Dashpots: accuracy", "", double, float) {
   CHECK(factor.error() <= 4.0);       // a square doubles the error of the root
 }
 
+TEST_CASE("Dashpots: the shear coefficient is the normal one's, none, or given") {
+  // roots of m* k: 4 and 6
+  CHECK(Dashpots<double>{0.3}.coefficients(2.0, 8.0, 18.0).shear == 0.3 * 6.0);
+  const Dashpots<double, Tension::allowed, ShearDashpot::none> none{0.3};
+  CHECK(none.coefficients(2.0, 8.0, 18.0).normal == 0.3 * 4.0);
+  CHECK(none.coefficients(2.0, 8.0, 18.0).shear == 0.0);
+  const Dashpots<double, Tension::allowed, ShearDashpot::given> given{0.3, 0.1};
+  CHECK(given.coefficients(2.0, 8.0, 18.0).normal == 0.3 * 4.0);
+  CHECK(given.coefficients(2.0, 8.0, 18.0).shear == 0.1 * 6.0);
+  CHECK(given.stiffness_factor() == Dashpots<double>{0.3}.stiffness_factor());  // of the larger constant
+  CHECK(none.parameters().size() == 1);
+  CHECK(given.parameters().size() == 2);
+  CHECK_THROWS_WITH(checked(decltype(given){0.3, -0.1}),
+                    Catch::Matchers::Equals("Dashpots: shear_damping_constant is -0.1, must lie in [0, inf)"));
+}
+
 }  // namespace contactlaws::test

@@ -208,4 +208,54 @@ TEST_CASE("Shear: a contact that opens forgets, whatever its history") {
   forgets(Sheared<ShearDisplacementRescaled<double>>(0.4));
 }
 
+namespace {
+
+/// A mass held on a contact by a constant load of half the friction limit: how far it creeps per million steps, as a share of
+/// the elastic slip T/k_s.
+template <class T>
+double creep() {
+  const ElasticMaterial<T> rock{T(29e9), T(0.15), T(2650)};
+  const PairProperties<T> on_plane = pair_properties(plane(rock), sphere(rock, T(5e-3)));
+  const DryHill<T> law = test::dry_hill<T>(0.4, 0.3);
+  const T overlap = T(1e-6);
+  const HertzResponse<T> normal = hertz_response<T>(on_plane, overlap);
+  const double stiffness = double(Mindlin<T>{}.stiffness(on_plane, normal)), mass = double(on_plane.effective_mass);
+  const double load = 0.5 * 0.4 * double(normal.force), dt = 0.05 * std::sqrt(mass / stiffness);
+  const double viscosity = 0.2 * std::sqrt(mass * stiffness);
+  typename DryHill<T>::State state{};
+  double speed = 0.0, slip = 0.0, before = 0.0;
+  for (int i = 1; i <= 2000000; ++i) {
+    const auto step = law.step(on_plane, {{T(0), T(0), T(1)}, overlap, {T(speed), T(0), T(0)}, T(dt)}, state);
+    state = step.state;
+    speed += dt * (load * std::min(1.0, i / 200000.0) + double(step.force.x()) - viscosity * speed) / mass;
+    slip += speed * dt;
+    if (i == 1000000) before = slip;
+  }
+  return (slip - before) * stiffness / load;
+}
+
+}  // namespace
+
+TEST_CASE("Shear: under a constant load a contact holds in double, and creeps in float as the header says") {
+  if (sanitized) return;                     // takes them minutes
+  CHECK(std::abs(creep<double>()) <= 1e-9);  // increments down to 1e-16 of the history count
+  const double in_float = creep<float>();
+  CHECK(in_float > 0.0);
+  CHECK(in_float <= 0.04);
+}
+
+TEST_CASE(
+    "Shear: static friction holds up to mu_s, kinetic friction slides at mu, and a contact sticks again below that") {
+  using Static = ShearForce<double, Mindlin<double>, rotation::ProjectRestore<double>, StaticKinetic<double>>;
+  Sheared<Static> contact(0.3);
+  contact.law.shear.static_friction = 0.5;
+  const double force = 1083.30463206478, stiffness = 1.49320368203524e7;  // the memo's, at 0.1 mm
+  const double stuck = 0.45 * force / stiffness;
+  CHECK(contact.move(1e-4, stuck) == Approx(0.45 * force).epsilon(1e-13));                   // above mu, below mu_s
+  CHECK(contact.move(1e-4, 0.1 * force / stiffness) == Approx(0.3 * force).epsilon(1e-13));  // beyond mu_s: falls to mu
+  CHECK(contact.move(1e-4, 0.01 * force / stiffness) == Approx(0.3 * force).epsilon(1e-13));   // slides on
+  CHECK(contact.move(1e-4, -0.1 * force / stiffness) == Approx(0.2 * force).epsilon(1e-13));   // back: sticks
+  CHECK(contact.move(1e-4, 0.25 * force / stiffness) == Approx(0.45 * force).epsilon(1e-13));  // and holds up to mu_s
+}
+
 }  // namespace contactlaws::test

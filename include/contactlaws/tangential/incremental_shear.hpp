@@ -16,7 +16,8 @@
 // Stiffness: Mindlin (k = 8 G* a), ConstantRatio (of the active tangent), ElasticRatio (of the elastic tangent).
 // Friction: Coulomb, or StaticKinetic with two coefficients.
 // Domain: any step; mu P > 1e-300 of the trial force. History: three values, four when rescaled, one more with StaticKinetic,
-// and those of the rotation. Error of one step: that of the stiffness and 4 ULP of the largest term.
+// and those of the rotation. Error: friction limit 4 ULP (tests/laws/test_incremental_shear.cpp); force along random paths of
+// 100 steps 1e-13 of the largest (tests/scoreboard).
 // In float, increments below half a unit in the last place of the history are lost: a contact under a constant load creeps
 // by 1 to 4 % of T/k per million steps (T the shear load; in double not measurable).
 #pragma once
