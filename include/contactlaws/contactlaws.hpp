@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All of contactlaws but the adapters for foreign scalars (contactlaws/adapt/).
+// All of contactlaws but the headers for further scalars (contactlaws/scalars/) and the checks (contactlaws/verify/).
 #pragma once
 
 #include "contactlaws/core/version.hpp"

@@ -127,7 +127,7 @@ TEST_CASE("Pair and kinematics go to another scalar and back") {
 }
 
 TEST_CASE("Fault: a query advances the history") {
-  // A host's set-up pass asks for the forces once before the first step, and others ask in between.
+  // A host's set-up pass computes the forces once before the first step, and others do so between steps.
   const DryHill<double> law = test::dry_hill<double>(0.4, 0.07);
   const PairProperties<double> pair = granite_pair<double>();
   const ContactKinematics<double> k{{0, 0, 1}, 1e-4, {1.0, 0, 0}, 1e-6};

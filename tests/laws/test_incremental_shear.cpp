@@ -53,7 +53,7 @@ TEMPLATE_TEST_CASE("Shear: four histories agree while the overlap does not chang
   CHECK(Sheared<TestType>(10.0).move(1e-4, 99.0e-6) == Approx(1478.27164521).epsilon(1e-11));
   CHECK(Sheared<TestType>(0.4).move(1e-4, 99.0e-6) == Approx(433.321852826).epsilon(1e-11));
 
-  // A contact that has slid remembers no more than friction bears: going back unloads it at once.
+  // The history of a sliding contact is limited by friction: going back unloads it at once.
   Sheared<TestType> reversed(0.4);
   reversed.move(1e-4, 99.0e-6);
   CHECK(reversed.move(1e-4, -1e-6) == Approx(433.321852826 - 1.49320368203524e7 * 1e-6).epsilon(1e-11));

@@ -21,7 +21,7 @@
 
 namespace contactlaws {
 
-/// How a pack's digits lie in memory: specialise it, and powers are taken in registers (adapt/xsimd.hpp).
+/// The binary digits of a pack. A specialisation makes powers of packs stay in registers (scalars/xsimd.hpp).
 template <class T>
 struct BinaryDigits {
   static constexpr bool known = false;
@@ -42,7 +42,7 @@ CONTACTLAWS_HD T polynomial(const std::array<T, count>& c, const T& x) noexcept 
   }
 }
 
-/// P and Q, in as many terms as the precision asks for.
+/// P and Q, with as many terms as the precision needs.
 template <class Lane>
 struct PowerCoefficients;
 template <>

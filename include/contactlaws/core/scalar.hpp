@@ -4,7 +4,7 @@
 //   + - * /   < <= > >=   && || ! of what these yield   sqrt abs, and exp pow sin cos where a law uses them,
 //   found by argument-dependent lookup or, for the built-in types, in std (so kernels write `using std::sqrt; sqrt(x)`).
 //
-// A type whose comparisons yield a bool needs nothing more. Packs specialise ScalarTraits (adapt/xsimd.hpp).
+// A type whose comparisons yield a bool needs nothing more. Packs specialise ScalarTraits (scalars/xsimd.hpp).
 #pragma once
 
 #include <cmath>

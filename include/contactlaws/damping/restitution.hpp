@@ -9,7 +9,7 @@
 //                     (z > 1: acosh(z) / sqrt(z^2 - 1), the same function; Schwager & Poeschel 2007)
 //
 // Domain: e in (0, 1]. Error in z: <= 3 ULP with tension, <= 4 - 2 ln e ULP without, where z grows as 1/sqrt(e) beyond
-// critical damping (tests/laws/test_restitution.cpp). Asked e is realised to 1e-6 (tests/dem/test_impact.cpp).
+// critical damping (tests/laws/test_restitution.cpp). An impact realises e to 1e-6 (tests/dem/test_impact.cpp).
 #pragma once
 
 #include "contactlaws/core/validate.hpp"

@@ -13,8 +13,8 @@
 //
 // Pohrt & Popov (2012); Tolomeo & McDowell (2022) Eqs 1-6. The closed form replaces the paper's increments, which depend on
 // the step and on a start force (examples/ballast/pohrt_popov_incremental.hpp). Domain: D_f in [2, 3], h > 0, o << R*.
-// Both laws tell dashpots the secant F/d of the elastic indentation, so that one virgin curve is damped alike in both: F/o
-// counts crushed asperities as if they were part of the spring, and halves the damping.
+// The secant for dashpots is F/d of the elastic indentation in both laws, so that they damp the same virgin curve alike. F/o
+// would count the flattened asperities as part of the spring, and halve the damping.
 // Error of F, given p and o_c: <= 6 ULP; of the stiffness 5. Packs add 3/2 |(p-1) log x| eps (core/power.hpp).
 // While unloading, the absolute error of d is 3 ULP of d(o_m): F is right to 9 ULP where d >= d(o_m)/2, and
 // near o_p its relative error is unbounded (tests/laws/test_pohrt_popov_accuracy.cpp).
