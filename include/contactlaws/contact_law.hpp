@@ -105,14 +105,8 @@ struct ContactLaw {
   /// Force and couple on body 2, and the next state.
   CONTACTLAWS_HD Step<T, State> step(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
                                      const State& state) const noexcept {
-    Step<T, State> result{Vec3<T>(T(0), T(0), T(0)),
-                          Vec3<T>(T(0), T(0), T(0)),
-                          state,
-                          T(0),
-                          T(0),
-                          T(0),
-                          !(kinematics.overlap < T(0)),
-                          Mask<T>(false)};
+    const auto zero = [] { return Vec3<T>(T(0), T(0), T(0)); };
+    Step<T, State> result{zero(), zero(), state, T(0), T(0), T(0), !(kinematics.overlap < T(0)), Mask<T>(false)};
     const Mask<T> open = is_open(state, pair, kinematics.overlap);
     if constexpr (adheres) result.active = result.active || !open;
     if (all<T>(open)) {

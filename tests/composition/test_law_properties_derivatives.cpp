@@ -130,7 +130,7 @@ TEST_CASE("derivatives by autodiff are those of the force, with respect to every
         ++compared;
       }
     }
-    CHECK(compared > cases(40) * inputs / 2);
+    CHECK(compared > cases(40) * inputs / 3);  // a rough contact that was deeper carries no force in many instants
   });
 }
 

@@ -90,7 +90,7 @@ TEST_CASE("Material: bad radii and masses are named") {
     CHECK_THROWS_WITH(sphere(granite, radius),
                       ContainsSubstring("sphere: radius is ") && ContainsSubstring(" m, must lie in (0, inf)"));
     CHECK_THROWS_WITH(spherical_cup(granite, radius),
-                      ContainsSubstring("concave: radius is ") && ContainsSubstring(" m, must lie in (0, inf)"));
+                      ContainsSubstring("spherical_cup: radius is ") && ContainsSubstring(" m, must lie in (0, inf)"));
     CHECK_THROWS_WITH(sphere(granite, 1.0).with_mass(radius),
                       ContainsSubstring("mass is ") && ContainsSubstring(" kg, must lie in (0, inf)"));
   }

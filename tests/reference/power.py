@@ -12,7 +12,7 @@ from decimal import getcontext
 from pathlib import Path
 
 getcontext().prec = 60
-HEADER = Path(__file__).resolve().parent.parent.parent / "include" / "contactlaws" / "power.hpp"
+HEADER = Path(__file__).resolve().parent.parent.parent / "include" / "contactlaws" / "core" / "power.hpp"
 PI = D("3.14159265358979323846264338327950288419716939937510582097494")
 LN2 = D(2).ln()
 

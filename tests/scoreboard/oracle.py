@@ -44,9 +44,9 @@ def hertz(radius, young, shear, overlap):
     }
 
 
-def linear(modulus, smaller_radius, length, overlap):
+def linear(modulus, min_radius, length, overlap):
     """Section 3: k_n = E pi r^2 / L."""
-    stiffness = modulus * pi * smaller_radius**2 / length
+    stiffness = modulus * pi * min_radius**2 / length
     return {"stiffness": stiffness, "force": stiffness * overlap}
 
 
@@ -86,9 +86,9 @@ def restitution(restitution):
     }
 
 
-def bridge(suction, decay_length, rupture_gap, smaller_radius, overlap):
+def bridge(suction, decay_length, rupture_gap, min_radius, overlap):
     """Section 3, Eq. 12; the energy is minus the work from here to rupture."""
-    largest, decay, gap = suction * pi * smaller_radius**2, decay_length * smaller_radius, max(-overlap, mpf(0))
+    largest, decay, gap = suction * pi * min_radius**2, decay_length * min_radius, max(-overlap, mpf(0))
     work = largest * decay * (exp(-gap / decay) - exp(-rupture_gap / decay_length)) + largest * max(overlap, mpf(0))
     return {"force": largest * exp(-gap / decay), "energy": -work}
 
