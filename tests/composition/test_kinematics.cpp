@@ -145,4 +145,16 @@ TEST_CASE("Kinematics: overlap of 0.1 um of 5 mm spheres cancels, in float to a 
   CHECK(std::abs(overlap(1.0f) / 1e-7 - 1) > 1e-3);
 }
 
+TEST_CASE("Vector expressions and integer radii are taken as they are") {
+  const Vec3<double> a(0.1, 0.2, 0.3), b(0.0, 0.0, 1.5);
+  const ContactGeometry<double> plain = sphere_sphere(a, 1.0, Vec3<double>(a + b), 2.0);
+  const ContactGeometry<double> same = sphere_sphere(a, 1, a + b, 2);
+  CHECK(same.normal == plain.normal);
+  CHECK(same.overlap == plain.overlap);
+  CHECK(same.arm1 == plain.arm1);
+  CHECK(same.arm2 == plain.arm2);
+  const ElasticMaterial<double> rock{29e9, 0.15, 2650.0};
+  CHECK(sphere(rock, 2).radius == 2.0);
+}
+
 }  // namespace contactlaws::test
