@@ -62,7 +62,7 @@ class AnyNormal {
   explicit AnyNormal(const Law& law) : names(detail::names_of<Law, room>()) {
     constexpr bool pulls = contactlaws::detail::adheres<Law>;
     const auto received = [](const T& overlap) { return pulls ? overlap : contactlaws::positive_part<T>(overlap); };
-    const auto touches = [law](const T* values, const PairProperties<T>& pair, const T& overlap) {
+    const auto touches = [=](const T* values, const PairProperties<T>& pair, const T& overlap) {
       if constexpr (pulls) {
         return bool(law.touches(detail::load<Law, T>(values), pair, overlap));
       } else {
@@ -84,7 +84,7 @@ class AnyNormal {
       return law.energy(detail::load<Law, T>(values), pair, received(overlap));
     };
     touches_ = touches;
-    range_ = [law]([[maybe_unused]] const PairProperties<T>& pair) {
+    range_ = [=]([[maybe_unused]] const PairProperties<T>& pair) {
       if constexpr (pulls) {
         return law.range(pair);
       } else {
