@@ -12,7 +12,8 @@
 //            stiffness(pair, normal response) [N/m], energy(State, stiffness) [J]
 //   bridge   using Slot = BridgeSlot<T>;
 //            respond(State&, pair, overlap)                          -> BridgeResponse
-//            energy(State, pair, overlap) [J], range(pair) [m], intact(State) (may be false where no force acts)
+//            energy(State, pair, overlap) [J], range(pair) [m], is_wet(State), make_wet(State&, overlap, gap),
+//            make_dry(State&)
 //   rolling  using Slot = RollingSlot<T>;
 //            respond(State&, RollingInput)                           -> couple on body 2 [N m]
 //            energy(State, pair, normal stiffness) [J]
