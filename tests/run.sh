@@ -1,8 +1,8 @@
 #!/bin/sh
 # Builds and runs the tests, on a fresh Debian or Ubuntu too:  sh tests/run.sh [--all]
 #
-# --all: what must pass before a change goes in. Also lints, each header alone, the fuzz corpus, packs as wide as this
-# machine has them, consumers' projects, and the sanitizers of a second compiler.
+# --all: what must pass before a change goes in. Also the examples' code, lints, each header alone, the fuzz corpus, packs as
+# wide as this machine has them, consumers' projects, and the sanitizers of a second compiler.
 set -eu
 cd "$(dirname "$0")/.."
 all=OFF
@@ -18,9 +18,9 @@ esac
 # shellcheck source=cmake/install_packages.sh
 . cmake/install_packages.sh
 install_packages g++ make cmake pkg-config python3 python3-mpmath libeigen3-dev catch2 'libboost1.81-dev|libboost-dev' \
-  libxsimd-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev
+  libxsimd-dev nlohmann-json3-dev
 if [ $all = ON ]; then
-  install_packages clang libclang-rt-dev 'clang-format-14|clang-format' 'clang-tidy-14|clang-tidy'
+  install_packages libtomlplusplus-dev libcli11-dev clang libclang-rt-dev 'clang-format-14|clang-format' 'clang-tidy-14|clang-tidy'
 fi
 
 # build FOLDER PRESET COMPILER LABEL: builds the tests and runs those with the label.

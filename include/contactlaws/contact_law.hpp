@@ -7,6 +7,9 @@
 // step() computes the force, the couple and the next state from the pair, the motion and the state. It is pure: the same
 // input gives the same output. It never throws and allocates nothing.
 //
+// Set-up, restart and query take dt = 0: the force of the last step, and the state unchanged to rounding. (With the real dt
+// the history would advance by one increment.)
+//
 // NaN: a NaN in what a contact reads (overlap, and where it touches velocity, step and state) gives a NaN force. It is never
 // replaced by a number. An open contact does not read its velocity, and its shear history is reset.
 #pragma once
@@ -22,29 +25,10 @@
 #include "contactlaws/kinematics.hpp"
 #include "contactlaws/rolling/rolling_spring.hpp"
 #include "contactlaws/slot.hpp"
+#include "contactlaws/step.hpp"
 #include "contactlaws/tangential/incremental_shear.hpp"
 
 namespace contactlaws {
-
-/// The result of a step.
-template <class T, class State>
-struct Step {
-  Vec3<T> force;     ///< on body 2, at the contact point; body 1 gets the opposite [N]
-  Vec3<T> couple;    ///< on body 2, beside arm x force; body 1 gets the opposite; zero without a rolling law [N m]
-  State state;       ///< history after the step
-  T normal_elastic;  ///< force of the normal spring, compression > 0 [N]
-  T normal_force;    ///< normal spring and dashpot, F_n [N]
-  T bridge_force;    ///< pull of the bridge, F_m [N]
-  Mask<T> active;    ///< touching, or bridged
-  Mask<T> sliding;   ///< friction limited the shear force
-};
-
-/// Translational stiffnesses of a contact, for the estimate of a stable time step [N/m].
-template <class T>
-struct ContactStiffness {
-  T normal;
-  T shear;
-};
 
 template <class Normal, class Damping = NoDashpots<typename Normal::Scalar>,
           class Shear = Frictionless<typename Normal::Scalar>, class Bridge = Dry<typename Normal::Scalar>,
@@ -91,6 +75,13 @@ struct ContactLaw {
 
   /// Factor of value i of the state when bodies 1 and 2 are swapped.
   static constexpr int exchange_sign(std::size_t i) { return state_values()[i].exchange_sign; }
+
+  /// The state of the same contact with bodies 1 and 2 swapped: each value times its exchange_sign().
+  CONTACTLAWS_HD static void exchange_bodies(T* values) noexcept {
+    constexpr auto described = state_values();
+    for (std::size_t i = 0; i < state_size; ++i)
+      if (described[i].exchange_sign < 0) values[i] = -values[i];
+  }
 
   /// A state as state_size values of T, and back.
   CONTACTLAWS_HD static void store(const State& state, T* values) noexcept {
@@ -175,9 +166,8 @@ struct ContactLaw {
     Bridge::make_dry(state);
   }
 
-  std::tuple<const Normal&, const Damping&, const Shear&, const Bridge&, const Rolling&> slots() const {
-    return {normal, damping, shear, bridge, rolling};
-  }
+  auto slots() const { return std::tie(normal, damping, shear, bridge, rolling); }
+  auto slots() { return std::tie(normal, damping, shear, bridge, rolling); }
 
   /// The same law on another scalar: float, a pack, a number of 200 bits.
   template <class U>
@@ -241,11 +231,20 @@ struct ContactLaw {
                                 open};
       const ShearResponse<T> sheared = shear.template respond<Damping::damps_shear>(result.state, input);
       result.force = result.force + sheared.force;
+      result.shear_force = sheared.force;
       result.sliding = sheared.sliding;
+      result.friction_work = sheared.friction_work;
+      if constexpr (Damping::damps_shear)
+        result.dashpot_work = dot<T>(Vec3<T>(sheared.spring - sheared.force), input.slip_velocity) * kinematics.dt;
     }
+    if constexpr (Damping::acts)
+      result.dashpot_work =
+          result.dashpot_work + (result.normal_elastic - result.normal_force) * separating * kinematics.dt;
     if constexpr (Rolling::acts) {
       const RollingInput<T> input{pair, kinematics, response.stiffness, positive_part<T>(load)};
-      result.couple = rolling.respond(result.state, input);
+      const RollingResponse<T> rolled = rolling.respond(result.state, input);
+      result.couple = rolled.couple;
+      result.friction_work = result.friction_work + rolled.friction_work;
     }
   }
 
@@ -274,6 +273,9 @@ struct ContactLaw {
     result.normal_elastic = select<T>(open, T(0), result.normal_elastic);
     result.normal_force = select<T>(open, T(0), result.normal_force);
     clear(result.force);
+    clear(result.shear_force);
+    result.friction_work = select<T>(open, T(0), result.friction_work);
+    result.dashpot_work = select<T>(open, T(0), result.dashpot_work);
     if constexpr (Rolling::acts) clear(result.couple);
     if constexpr (!outlives_separation) reset<Normal>(open, result.state);
     reset<Shear>(open, result.state);

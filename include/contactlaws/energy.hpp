@@ -9,6 +9,28 @@
 
 namespace contactlaws {
 
+/// Heat that a contact produces in one step, by cause [J].
+template <class T>
+struct Dissipation {
+  T friction;  ///< sliding and rolling
+  T dashpots;
+  T yielding;  ///< flattened asperities
+};
+
+/// The heat of a step from the state `before`. First order in the step. The energy that a bridge loses at rupture and the
+/// springs of a contact that opens under load are not heat of a step; EnergyLedger counts them.
+template <class Law, class T = typename Law::Scalar>
+CONTACTLAWS_HD Dissipation<T> dissipation(const Law& law, const PairProperties<T>& pair,
+                                          const typename Law::State& before,
+                                          const Step<T, typename Law::State>& step) noexcept {
+  Dissipation<T> heat{step.friction_work, step.dashpot_work, T(0)};
+  if constexpr (detail::yields<decltype(Law::normal)>) {  // a contact that opens may be reset: no heat then
+    const T work = law.normal.plastic_dissipation(step.state, pair) - law.normal.plastic_dissipation(before, pair);
+    heat.yielding = positive_part<T>(work);
+  }
+  return heat;
+}
+
 /// Accumulates the energies of one contact, step by step.
 template <class T>
 struct EnergyLedger {

@@ -6,7 +6,8 @@
 //   properties.suction = 200e3;
 //   const auto law = hill(properties);
 //
-// A maker throws std::invalid_argument naming the parameter, its value, unit and range.
+// A maker throws std::invalid_argument naming the parameter, its value, unit and range. Programs that read names at run time
+// use set_parameter(properties, "friction", 0.4).
 #pragma once
 
 #include "contactlaws/contact_law.hpp"
@@ -53,6 +54,12 @@ struct DryHillProperties {
   ByName by_name = ByName();
   T friction = T(0);          ///< mu [1]
   T damping_constant = T(0);  ///< alpha [1]; from a coefficient of restitution: damping_constant()
+
+  static constexpr const char* name = "DryHillProperties";
+  static constexpr std::array<Parameter<DryHillProperties, T>, 2> parameters() {
+    return {{{"friction", "1", &DryHillProperties::friction, Range::any()},
+             {"damping_constant", "1", &DryHillProperties::damping_constant, Range::any()}}};
+  }
 };
 
 template <class T>
@@ -61,6 +68,13 @@ struct HillProperties {
   T friction = T(0);          ///< mu [1]
   T suction = T(0);           ///< psi [Pa]
   T damping_constant = T(0);  ///< alpha [1]; from a coefficient of restitution: damping_constant()
+
+  static constexpr const char* name = "HillProperties";
+  static constexpr std::array<Parameter<HillProperties, T>, 3> parameters() {
+    return {{{"friction", "1", &HillProperties::friction, Range::any()},
+             {"suction", "Pa", &HillProperties::suction, Range::any()},
+             {"damping_constant", "1", &HillProperties::damping_constant, Range::any()}}};
+  }
 };
 
 template <class T>
@@ -69,6 +83,13 @@ struct LinearFrictionProperties {
   T modulus = T(0);          ///< effective modulus E [Pa]
   T friction = T(0);         ///< mu [1]
   T stiffness_ratio = T(1);  ///< k_s / k_n [1], the inverse of kappa
+
+  static constexpr const char* name = "LinearFrictionProperties";
+  static constexpr std::array<Parameter<LinearFrictionProperties, T>, 3> parameters() {
+    return {{{"modulus", "Pa", &LinearFrictionProperties::modulus, Range::any()},
+             {"friction", "1", &LinearFrictionProperties::friction, Range::any()},
+             {"stiffness_ratio", "1", &LinearFrictionProperties::stiffness_ratio, Range::any()}}};
+  }
 };
 
 template <class T>
@@ -78,6 +99,14 @@ struct LinearSpringDashpotProperties {
   T friction = T(0);          ///< mu [1]
   T stiffness_ratio = T(1);   ///< k_s / k_n [1]
   T damping_constant = T(0);  ///< alpha [1]; from a coefficient of restitution: damping_constant()
+
+  static constexpr const char* name = "LinearSpringDashpotProperties";
+  static constexpr std::array<Parameter<LinearSpringDashpotProperties, T>, 4> parameters() {
+    return {{{"normal_stiffness", "N/m", &LinearSpringDashpotProperties::normal_stiffness, Range::any()},
+             {"friction", "1", &LinearSpringDashpotProperties::friction, Range::any()},
+             {"stiffness_ratio", "1", &LinearSpringDashpotProperties::stiffness_ratio, Range::any()},
+             {"damping_constant", "1", &LinearSpringDashpotProperties::damping_constant, Range::any()}}};
+  }
 };
 
 template <class T>
@@ -87,6 +116,14 @@ struct RoughBallastProperties {
   T roughness = T(0);          ///< h [m]
   T friction = T(0);           ///< mu [1]
   T stiffness_ratio = T(1);    ///< k_s / k_n [1]; Mindlin's: mindlin_ratio(pair)
+
+  static constexpr const char* name = "RoughBallastProperties";
+  static constexpr std::array<Parameter<RoughBallastProperties, T>, 4> parameters() {
+    return {{{"fractal_dimension", "1", &RoughBallastProperties::fractal_dimension, Range::any()},
+             {"roughness", "m", &RoughBallastProperties::roughness, Range::any()},
+             {"friction", "1", &RoughBallastProperties::friction, Range::any()},
+             {"stiffness_ratio", "1", &RoughBallastProperties::stiffness_ratio, Range::any()}}};
+  }
 };
 
 template <class T>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Effective properties of a pair of bodies, computed once per pair from materials, shapes and masses
-// (Potyondy 2019, Table 4):
+// Effective properties of a pair of bodies, from materials, shapes and masses (Potyondy 2019, Table 4):
 //
 //   1/R* = c1 + c2                    c = 1/R, 0 for a plane, negative for a concave wall
 //   1/E* = sum (1 - nu^2) / E         0 for a rigid body
 //   1/G* = sum 2 (2 - nu)(1 + nu) / E
 //   1/m* = sum 1/m                    0 for a fixed body
+//
+// Two ways: from two ContactBody, checked, once per pair; or from the EffectiveModuli of two materials, checked once per
+// pair of materials, with the radii and masses of every contact.
 //
 // Domain: linear elastic isotropic materials; surfaces that do not conform (1/R* > 0).
 // Error: R* <= 4 ULP, E* and G* <= 6, m* <= 9 (tests/composition/test_pair.cpp).
@@ -34,7 +36,7 @@ struct ElasticMaterial {
   }
 };
 
-/// The properties of a pair of bodies that a law needs.
+/// The properties of a pair of bodies that a law needs. Where a host fills them itself, checked(pair) checks them.
 template <class T>
 struct PairProperties {
   T effective_radius;  ///<  R* [m]
@@ -43,6 +45,16 @@ struct PairProperties {
   T effective_mass;    ///< effective mass m* [kg]
   T min_radius;        ///< R_o, of the smaller body [m]
   T length;            ///< L = R1 + R2, the distance of the centres at touch; a wall adds nothing [m]
+
+  static constexpr const char* name = "PairProperties";
+  static constexpr std::array<Parameter<PairProperties, T>, 6> parameters() {
+    return {{{"effective_radius", "m", &PairProperties::effective_radius, Range::positive()},
+             {"effective_young", "Pa", &PairProperties::effective_young, Range::positive()},
+             {"effective_shear", "Pa", &PairProperties::effective_shear, Range::positive()},
+             {"effective_mass", "kg", &PairProperties::effective_mass, Range::positive()},
+             {"min_radius", "m", &PairProperties::min_radius, Range::positive()},
+             {"length", "m", &PairProperties::length, Range::positive()}}};
+  }
 
   /// The same properties, each converted by `convert`: rounded to float, loaded into a pack.
   template <class U, class Convert>
@@ -129,6 +141,43 @@ PairProperties<T> pair_properties(const ContactBody<T>& a, const ContactBody<T>&
   const T length = a.radius + b.radius;
   const bool both_spheres = a.radius > T(0) && b.radius > T(0);
   return {radius, young, shear, mass, both_spheres ? minimum<T>(a.radius, b.radius) : length, length};
+}
+
+/// E* and G* of two materials.
+template <class T>
+struct EffectiveModuli {
+  T young;  ///< E* [Pa]
+  T shear;  ///< G* [Pa]
+};
+
+/// Effective moduli of two materials. @throws std::invalid_argument as checked(ElasticMaterial)
+template <class T>
+EffectiveModuli<T> effective_moduli(const ElasticMaterial<T>& a, const ElasticMaterial<T>& b) {
+  const auto one = detail::body_of_material<T>(a, T(0), T(0), T(0)),
+             other = detail::body_of_material<T>(b, T(0), T(0), T(0));
+  return {T(1) / (one.normal_compliance + other.normal_compliance),
+          T(1) / (one.shear_compliance + other.shear_compliance)};
+}
+
+/// Effective mass of two free bodies [kg]. Beside a body held in space it is the mass of the other.
+template <class T>
+CONTACTLAWS_HD T effective_mass(const T& mass1, const T& mass2) noexcept {
+  return mass1 * mass2 / (mass1 + mass2);
+}
+
+/// Two spheres, where a host has their radii [m] and effective mass [kg]. Not checked.
+template <class T>
+CONTACTLAWS_HD PairProperties<T> sphere_sphere_pair(const EffectiveModuli<T>& moduli, const NonDeduced<T>& radius1,
+                                                    const NonDeduced<T>& radius2, const NonDeduced<T>& mass) noexcept {
+  const T length = radius1 + radius2;
+  return {radius1 * radius2 / length, moduli.young, moduli.shear, mass, minimum<T>(radius1, radius2), length};
+}
+
+/// A plane wall and a sphere of this radius [m] and mass [kg]. Not checked.
+template <class T>
+CONTACTLAWS_HD PairProperties<T> plane_sphere_pair(const EffectiveModuli<T>& moduli, const NonDeduced<T>& radius,
+                                                   const NonDeduced<T>& mass) noexcept {
+  return {radius, moduli.young, moduli.shear, mass, radius, radius};
 }
 
 }  // namespace contactlaws

@@ -15,7 +15,7 @@
 //            energy(State, pair, overlap) [J], range(pair) [m], is_wet(State), make_wet(State&, overlap, gap),
 //            make_dry(State&)
 //   rolling  using Slot = RollingSlot<T>;
-//            respond(State&, RollingInput)                           -> couple on body 2 [N m]
+//            respond(State&, RollingInput)                           -> RollingResponse
 //            energy(State, pair, normal stiffness) [J]
 //
 // Every slot but the normal one has `static constexpr bool acts`: false for the empty slots (NoDashpots, Frictionless, Dry,
@@ -28,6 +28,7 @@
 // `static constexpr bool adheres = true`, receives the overlap with its sign, returns an AdhesiveResponse, and adds
 //            touches(State, pair, overlap) -> Mask    whether the contact holds
 //            range(pair) [m]                          the largest gap across which it holds
+// A normal law that yields adds plastic_dissipation(State, pair) [J], all since the contact was new.
 // When a contact opens its history is reset. A normal law whose history must survive declares
 // `static constexpr bool outlives_separation = true`; its respond() is then called for open contacts too, with overlap 0.
 #pragma once
@@ -89,8 +90,10 @@ struct ShearInput {
 
 template <class T>
 struct ShearResponse {
-  Vec3<T> force;    ///< in the contact plane, on body 2 [N]
+  Vec3<T> force;    ///< spring and dashpot, in the contact plane, on body 2 [N]
+  Vec3<T> spring;   ///< of the spring alone [N]
   Mask<T> sliding;  ///< whether friction limited it
+  T friction_work;  ///< heat from sliding in this step [J]
 };
 
 template <class T>
@@ -107,6 +110,12 @@ struct RollingInput {
   T load;              ///< as ShearInput::friction_load [N]
 };
 
+template <class T>
+struct RollingResponse {
+  Vec3<T> couple;   ///< on body 2 [N m]
+  T friction_work;  ///< heat from rolling against friction in this step [J]
+};
+
 namespace detail {
 
 template <class Normal, class = void>
@@ -119,6 +128,11 @@ inline constexpr bool outlives_separation = false;
 template <class Normal>
 inline constexpr bool outlives_separation<Normal, std::void_t<decltype(Normal::outlives_separation)>> =
     Normal::outlives_separation;
+
+template <class Normal, class = void>
+inline constexpr bool yields = false;
+template <class Normal>
+inline constexpr bool yields<Normal, std::void_t<decltype(&Normal::plastic_dissipation)>> = true;
 
 /// What a slot type says that it is; void for any other type.
 template <class Type, class = void>

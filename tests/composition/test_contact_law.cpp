@@ -74,6 +74,17 @@ TEST_CASE("Fault: the sign under exchange of scalars") {
   CHECK(sign_of(Turning{}, "last_normal_y") == -1);
 }
 
+TEST_CASE("A state with its bodies exchanged: vectors that point from body 1 to 2 turn round, scalars stay") {
+  using Law =
+      ContactLaw<PohrtPopovElastoPlastic<double>, NoDashpots<double>, ShearForceRescaled<double, ConstantRatio<double>>,
+                 SuctionBridge<double>, RollingSpring<double>>;
+  double values[Law::state_size] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  Law::exchange_bodies(values);
+  const double expected[] = {1, -2, -3, -4, 5, 6, -7, -8, -9};  // o_m, F_s, k_before, moisture, M
+  for (std::size_t i = 0; i < Law::state_size; ++i) CHECK(values[i] == expected[i]);
+  SmoothHertz<double>::exchange_bodies(nullptr);
+}
+
 TEST_CASE("A slot left out costs nothing") {
   static_assert(std::is_empty_v<Hertz<double>> && std::is_empty_v<NoDashpots<double>> &&
                 std::is_empty_v<Frictionless<double>> && std::is_empty_v<Dry<double>> &&

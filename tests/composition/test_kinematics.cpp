@@ -79,6 +79,38 @@ TEST_CASE("Kinematics: seen from either body, one contact") {
   }
 }
 
+TEST_CASE("Kinematics: spheres from a host's arrays are the same contact, with the same torques") {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const double radius1 = random.log_uniform(1e-3, 1.0), radius2 = random.log_uniform(1e-3, 1.0);
+    const Vector x1 = random.direction();
+    const Vector x2 = x1 + (radius1 + radius2) * random.uniform(0.9, 1.1) * random.direction();
+    const BodyMotion<double> a = random_body(random, x1), b = random_body(random, x2);
+    const ContactGeometry<double> geometry = sphere_sphere(x1, radius1, x2, radius2);
+    const auto expected = contact_kinematics(geometry, a, b, 1e-6);
+    const auto contact = sphere_contact(a.position.data(), a.velocity.data(), a.spin.data(), radius1, b.position.data(),
+                                        b.velocity.data(), b.spin.data(), radius2, 1e-6);
+    const auto& k = contact.kinematics;
+    // Coordinates of size |x| are rounded once, normals twice more.
+    const double distance = contact.distance, size = x1.norm() + x2.norm() + radius1 + radius2;
+    CHECK((k.normal - expected.normal).norm() <= 4 * eps);
+    CHECK(std::abs(k.overlap - expected.overlap) <= 4 * eps * size);
+    CHECK(std::abs(distance - (x2 - x1).norm()) <= 2 * eps * size);
+    const double speeds = a.velocity.norm() + b.velocity.norm() + (a.spin.norm() * radius1 + b.spin.norm() * radius2);
+    CHECK((k.velocity - expected.velocity).norm() <= 16 * eps * speeds);
+    CHECK(std::abs(k.normal_spin - expected.normal_spin) <= 8 * eps * (a.spin.norm() + b.spin.norm()));
+    CHECK(k.relative_spin == expected.relative_spin);
+    CHECK(k.dt == 1e-6);
+    CHECK((k.normal * contact.arm1 - geometry.arm1).norm() <= 8 * eps * size);
+    CHECK((k.normal * -contact.arm2 - geometry.arm2).norm() <= 8 * eps * size);
+
+    const Vector force = random.direction(), couple = random.direction();
+    const Torques<double> torque = torques(contact, force, couple);
+    CHECK((torque.on1 - (geometry.arm1.cross(-force) - couple)).norm() <= 16 * eps * (size + 1));
+    CHECK((torque.on2 - (geometry.arm2.cross(force) + couple)).norm() <= 16 * eps * (size + 1));
+  }
+}
+
 TEST_CASE("Kinematics: forces and torques of a pair balance") {
   Random random;
   const DryHill<double> law = test::dry_hill<double>(0.4, 0.3);

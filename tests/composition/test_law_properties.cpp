@@ -79,4 +79,9 @@ TEMPLATE_LIST_TEST_CASE("queries change nothing, and the same step twice gives t
   check<TestType>("queries", 0, [](const auto& law, const auto& now, Random&) { return changed_by_queries(law, now); });
 }
 
+TEMPLATE_LIST_TEST_CASE("a step of dt = 0 repeats the force of the last one, and leaves its state", "", Scalars) {
+  // The history is projected and limited once more: some 20 operations on it.
+  check<TestType>("set-up", 32, [](const auto& law, const auto& now, Random&) { return changed_by_set_up(law, now); });
+}
+
 }  // namespace contactlaws::test

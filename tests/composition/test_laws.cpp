@@ -269,6 +269,26 @@ TEST_CASE("Makers give the parameters to the slots") {
   CHECK(rough.shear.friction == 0.7);
 }
 
+TEST_CASE("Parameters are set by name, of a law and of a maker's properties") {
+  using Catch::Matchers::Equals;
+  Hill<double> wet;
+  set_parameter(wet, "suction", 2e5);
+  set_parameter(wet, "friction", 0.4);
+  CHECK(wet.bridge.suction == 2e5);
+  CHECK(wet.shear.friction == 0.4);
+  CHECK_THROWS_WITH(set_parameter(wet, "fricton", 0.4), Equals("no parameter 'fricton'; there are: damping_constant, "
+                                                               "friction, suction, decay_length, rupture_gap"));
+  SmoothHertz<double> smooth;
+  CHECK_THROWS_WITH(set_parameter(smooth, "friction", 0.4), Equals("no parameter 'friction'; there is none"));
+  RoughBallastProperties<double> ballast;
+  const char* names[] = {"fractal_dimension", "roughness", "friction", "stiffness_ratio"};
+  const double values[] = {2.13, 26.1e-6, 0.7, 0.9};
+  for (int i = 0; i < 4; ++i) set_parameter(ballast, names[i], values[i]);
+  CHECK(rough_ballast(ballast).normal.transition_overlap == Approx(132.70776e-6).epsilon(1e-7));
+  CHECK(rough_ballast(ballast).shear.friction == 0.7);
+  CHECK(rough_ballast(ballast).shear.ratio == 0.9);
+}
+
 TEST_CASE("A law says which of its slots' parameters is out of range") {
   using Catch::Matchers::Equals;
   LinearSpringDashpot<double> law{{1e6}, {0.1}, {{0.5}, 0.4}, {}};

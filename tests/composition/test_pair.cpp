@@ -46,6 +46,39 @@ TEST_CASE("Material: a plane has no curvature, and is held in space") {
   CHECK(pair.effective_mass == Approx(4.0 / 3.0 * 3.14159265358979324 * 1.25e-7 * 2650.0).epsilon(1e-15));
 }
 
+TEST_CASE("Material: moduli of two materials with radii and a mass give the same pair") {
+  const ElasticMaterial<double> steel{208e9, 0.3, 7850.0};
+  const EffectiveModuli<double> moduli = effective_moduli(granite, steel);
+  const double m1 = sphere_mass<double>(7.5e-3, 2650.0), m2 = sphere_mass<double>(1e-3, 7850.0);
+  // Both ways round the same exact values: each within the errors at the head of pair.hpp.
+  const auto check = [](const PairProperties<double>& a, const PairProperties<double>& b) {
+    CHECK(a.effective_radius == Approx(b.effective_radius).epsilon(2e-15));
+    CHECK(a.effective_young == Approx(b.effective_young).epsilon(2e-15));
+    CHECK(a.effective_shear == Approx(b.effective_shear).epsilon(2e-15));
+    CHECK(a.effective_mass == Approx(b.effective_mass).epsilon(3e-15));
+    CHECK(a.min_radius == b.min_radius);
+    CHECK(a.length == b.length);
+  };
+  check(sphere_sphere_pair(moduli, 7.5e-3, 1e-3, effective_mass(m1, m2)),
+        pair_properties(sphere(granite, 7.5e-3), sphere(steel, 1e-3)));
+  check(sphere_sphere_pair(moduli, 7.5e-3, 1e-3, m2),
+        pair_properties(sphere(granite, 7.5e-3).fixed(), sphere(steel, 1e-3)));
+  check(plane_sphere_pair(moduli, 1e-3, m2), pair_properties(plane(granite), sphere(steel, 1e-3)));
+  static_assert(noexcept(sphere_sphere_pair(moduli, 1.0, 1.0, 1.0)));
+  CHECK_THROWS_WITH(effective_moduli(granite, {208e9, 0.7, 7850.0}),
+                    Equals("ElasticMaterial: poisson is 0.7, must lie in (-1, 0.5]"));
+}
+
+TEST_CASE("Material: properties that a host fills are checked on demand") {
+  PairProperties<double> pair = granite_pair<double>();
+  CHECK_NOTHROW(checked(pair));
+  pair.effective_young = -1e9;
+  CHECK_THROWS_WITH(checked(pair), Equals("PairProperties: effective_young is -1e+09 Pa, must lie in (0, inf)"));
+  pair = granite_pair<double>();
+  pair.effective_mass = nan;
+  CHECK_THROWS_WITH(checked(pair), Equals("PairProperties: effective_mass is nan kg, must lie in (0, inf)"));
+}
+
 TEST_CASE("Material: a concave wall has negative curvature") {
   const PairProperties<double> pair = pair_properties(spherical_cup(granite, 20e-3), sphere(granite, 5e-3));
   CHECK(pair.effective_radius == Approx(1.0 / (200.0 - 50.0)).epsilon(1e-15));

@@ -505,18 +505,20 @@ TEST_CASE("Rough laws: the ledger balances along a random impact") {
   EnergyLedger<double> ledger;
   ContactLaw<Plastic>::State state{};
   const int steps = 20000;
-  double before = 0.0;
+  double before = 0.0, yielding = 0.0;
   for (int i = 1; i <= steps; ++i) {
     const double overlap = 20e-6 * std::sin(3.0 * i / steps);
     const Vec3<double> velocity(before - overlap, 0.0, 0.0);
     const ContactKinematics<double> kinematics{Vec3<double>::UnitX(), overlap, velocity, 1.0};
     const auto step = law.step(pair, kinematics, state);
     ledger.enter(law, pair, kinematics, step);
+    yielding += dissipation(law, pair, state, step).yielding;
     state = step.state;
     before = overlap;
   }
   // Trapezia: 1/12 of the square of the step, relative to the work.
   CHECK(ledger.dissipated() == Approx(law.normal.plastic_dissipation(state, pair)).epsilon(1e-6));
+  CHECK(yielding == Approx(ledger.dissipated()).epsilon(1e-6));
 }
 
 TEST_CASE("Pohrt-Popov: parameters out of range are named with value and range") {

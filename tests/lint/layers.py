@@ -14,7 +14,7 @@ from pathlib import Path
 # A folder holds its headers in one layer; these may include each other, but not in a circle.
 LAYERS = [
     "core/",
-    "kinematics pair",
+    "kinematics pair step",
     "slot tangential/rotation",
     "normal/ damping/ tangential/ rolling/ bridge/",
     "contact_law",

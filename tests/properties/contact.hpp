@@ -12,6 +12,7 @@ bool same(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
 }
 
+/// The shear force as what the whole force leaves, to check Step::shear_force by.
 template <class T, class State>
 Vec3<T> shear_part(const Step<T, State>& step, const Vec3<T>& normal) {
   return step.force - normal * T(step.normal_force - step.bridge_force);
@@ -26,6 +27,8 @@ int wrong_when_open(const ErasedLaw<T>& law, const PairProperties<T>& pair, cons
   int wrong = step.normal_elastic != T(0);
   wrong += step.normal_force != T(0);
   wrong += step.sliding;
+  wrong += !same<T>(step.shear_force, Vec3<T>(T(0), T(0), T(0)));
+  wrong += step.friction_work != T(0) || step.dashpot_work != T(0);
   wrong += !same<T>(step.couple, Vec3<T>(T(0), T(0), T(0)));
   wrong += !same<T>(step.force, kinematics.normal * T(-step.bridge_force));
   wrong += gap >= law.interaction_range(pair) && gap > T(0) && step.bridge_force != T(0);
@@ -69,6 +72,8 @@ int wrong_when_closed(const ErasedLaw<T>& law, const Instant<T>& now) {
   const T power = dot<T>(shear, Vec3<T>(now.kinematics.velocity - n * separating));
   wrong += !(power <= rounding * norm<T>(now.kinematics.velocity));
   wrong += !(abs(dot<T>(shear, n)) <= rounding);
+  wrong += !(norm<T>(Vec3<T>(shear - step.shear_force)) <= rounding);
+  wrong += !(step.friction_work >= T(0) && step.dashpot_work >= T(0));
 
   ContactKinematics<T> deeper = now.kinematics;
   deeper.overlap = deeper.overlap * T(2);
@@ -107,6 +112,34 @@ int changed_by_queries(const ErasedLaw<T>& law, const Instant<T>& now) {
   for (std::size_t i = 0; i < law.state_size(); ++i)
     changed += (state[i] != now.state[i]) + (again.state[i] != now.step.state[i]);
   return changed;
+}
+
+/// By how much a step of dt = 0 after a step differs from it: force, couple and history, each in its own roundings; infinite
+/// where a discrete value changes. The slip velocity carries the roundings of the whole velocity, and so does the history.
+template <class T>
+double changed_by_set_up(const ErasedLaw<T>& law, const Instant<T>& now) {
+  using std::abs;
+  ContactKinematics<T> set_up = now.kinematics;
+  set_up.dt = T(0);
+  const auto again = law.step(now.pair, set_up, now.step.state);
+  const T tiny = std::numeric_limits<T>::min();
+  const T force = norm<T>(Vec3<T>(again.force - now.step.force)) / (force_scale(now.step) + tiny);
+  const T couple = norm<T>(Vec3<T>(again.couple - now.step.couple)) / (norm<T>(now.step.couple) + tiny);
+  T worst = maximum<T>(force, couple);
+  for (std::size_t i = 0; i < law.state_size(); ++i) {
+    T scale = abs(now.step.state[i]);
+    if (law.state_values[i].kind == ValueKind::vector)
+      for (std::size_t j = 0; j < law.state_size(); ++j)
+        if (law.state_values[j].kind == ValueKind::vector && law.state_values[j].unit == law.state_values[i].unit)
+          scale = maximum<T>(scale, T(abs(now.step.state[j])));
+    worst = maximum<T>(worst, T(abs(again.state[i] - now.step.state[i]) / (scale + tiny)));
+    if (law.state_values[i].unit == std::string_view("1") && law.state_values[i].kind == ValueKind::scalar &&
+        again.state[i] != now.step.state[i])
+      return std::numeric_limits<double>::infinity();
+  }
+  const Vec3<T>& v = now.kinematics.velocity;
+  const Vec3<T> slip = v - now.kinematics.normal * dot<T>(v, now.kinematics.normal);
+  return static_cast<double>(T(worst / epsilon<T>() * norm<T>(slip) / norm<T>(v)));
 }
 
 }  // namespace contactlaws::test

@@ -95,6 +95,7 @@ class ErasedLaw {
   virtual ContactStiffness<T> stiffness(const PairProperties<T>&, const T& overlap, const State&) const = 0;
   virtual T stored_energy(const PairProperties<T>&, const T& overlap, const State&) const = 0;
   virtual Tangents<T> tangents(const PairProperties<T>&, const T& overlap) const = 0;
+  virtual Dissipation<T> dissipation(const PairProperties<T>&, const State& before, const Step<T, State>&) const = 0;
   virtual T interaction_range(const PairProperties<T>&) const = 0;
   virtual Friction<T> friction() const = 0;
   /// What friction multiplies beside the normal force [N].
@@ -167,6 +168,14 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
   T stored_energy(const PairProperties<T>& pair, const T& overlap, const State& state) const override {
     return law_.stored_energy(pair, overlap, Law::load(state.data()));
   }
+  Dissipation<T> dissipation(const PairProperties<T>& pair, const State& before,
+                             const Step<T, State>& step) const override {
+    Step<T, typename Law::State> own{};
+    own.state = Law::load(step.state.data());
+    own.friction_work = step.friction_work;
+    own.dashpot_work = step.dashpot_work;
+    return contactlaws::dissipation(law_, pair, Law::load(before.data()), own);
+  }
   Tangents<T> tangents(const PairProperties<T>& pair, const T& overlap) const override {
     typename Law::State state{};
     const auto normal = law_.normal.respond(state, pair, overlap);
@@ -214,8 +223,8 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
     return state;
   }
   static Step<T, State> erased(const Step<T, typename Law::State>& own) {
-    return {own.force,        own.couple,       erased(own.state), own.normal_elastic,
-            own.normal_force, own.bridge_force, own.active,        own.sliding};
+    return {own.force,  own.couple,  erased(own.state), own.normal_elastic, own.normal_force, own.bridge_force,
+            own.active, own.sliding, own.shear_force,   own.friction_work,  own.dashpot_work};
   }
 
   Law law_;

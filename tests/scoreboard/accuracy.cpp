@@ -100,7 +100,7 @@ class Kernels {
           const PairProperties<S> pair = pair_of(x[1], S(1));
           const ContactKinematics<S> k{{S(0), S(0), S(1)},    S(1), {S(0), S(0), S(0)}, x[4], S(0),
                                        {x[3], S(-x[3]), S(1)}};
-          return Vec3<S>(RollingSpring<S>{x[0]}.respond(none, {pair, k, x[2], x[5]}));
+          return Vec3<S>(RollingSpring<S>{x[0]}.respond(none, {pair, k, x[2], x[5]}).couple);
         },
         [](Random& r) {
           return std::array<T, 6>{r.binary<T>(-10, 0), r.binary<T>(-20, 0),  r.binary<T>(10, 30),

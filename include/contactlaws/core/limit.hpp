@@ -18,12 +18,14 @@ template <class T>
 struct LengthLimit {
   T factor;  ///< 1 where the vector is not longer
   Mask<T> exceeded;
+  T excess;  ///< how much shorter the vector becomes, 0 where it is not longer
 };
 template <class T>
 CONTACTLAWS_HD LengthLimit<T> length_limit(const Vec3<T>& v, const T& limit, const T& limited) noexcept {
   const T length = norm<T>(v);
   const Mask<T> within = length <= limit;  // not where one is NaN
-  return {select<T>(within, T(1), limited) / select<T>(within, T(1), length), !within};
+  return {select<T>(within, T(1), limited) / select<T>(within, T(1), length), !within,
+          select<T>(within, T(0), length - limited)};
 }
 
 }  // namespace contactlaws::detail

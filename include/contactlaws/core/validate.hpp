@@ -72,18 +72,40 @@ template <class Owner>
 struct HasSlots<Owner, std::void_t<decltype(std::declval<const Owner&>().slots())>> : std::true_type {};
 }  // namespace detail
 
-/// Rejects `owner` unless each of its parameters lies in its range; returns it otherwise.
+/// Calls visit(name of the owner, parameter, value) for each parameter of `owner`, of a law over all its slots.
 /// `Owner` offers `name` and `parameters()` (Dashpots is a short example), or `slots()` that do.
+template <class Owner, class Visit>
+void visit_parameters(Owner& owner, const Visit& visit) {
+  if constexpr (detail::HasSlots<Owner>::value) {
+    std::apply([&visit](auto&... slot) { (visit_parameters(slot, visit), ...); }, owner.slots());
+  } else {
+    for (const auto& p : Owner::parameters()) visit(Owner::name, p, owner.*p.member);
+  }
+}
+
+/// Rejects `owner` unless each of its parameters lies in its range; returns it otherwise.
 /// @throws std::invalid_argument at the first that does not
 template <class Owner>
 Owner checked(const Owner& owner) {
-  if constexpr (detail::HasSlots<Owner>::value) {
-    std::apply([](const auto&... slot) { (checked(slot), ...); }, owner.slots());
-  } else {
-    for (const auto& p : Owner::parameters())
-      require_in(p.range, static_cast<double>(owner.*p.member), Owner::name, p.name, p.unit);
-  }
+  visit_parameters(owner, [](const char* name, const auto& p, const auto& value) {
+    require_in(p.range, static_cast<double>(value), name, p.name, p.unit);
+  });
   return owner;
+}
+
+/// Sets the parameter of this name, of a law in whichever slot it is; checked() then checks it.
+/// @throws std::invalid_argument listing the names that there are
+template <class Owner, class T>
+void set_parameter(Owner& owner, const std::string& name, const T& value) {
+  bool found = false;
+  std::string names;
+  visit_parameters(owner, [&](const char*, const auto& p, auto& member) {
+    names += (names.empty() ? "" : ", ") + std::string(p.name);
+    if (name != p.name) return;
+    member = value;
+    found = true;
+  });
+  if (!found) reject("no parameter '" + name + "'; there " + (names.empty() ? "is none" : "are: " + names));
 }
 
 }  // namespace contactlaws

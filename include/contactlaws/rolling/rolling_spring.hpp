@@ -64,19 +64,19 @@ struct RollingSpring {
     return T(T(9) / T(4)) * normal_stiffness * (arm * arm);
   }
 
-  /// The couple on body 2 [N m].
-  CONTACTLAWS_HD Vec3<T> respond(State& state, const RollingInput<T>& in) const noexcept {
+  CONTACTLAWS_HD RollingResponse<T> respond(State& state, const RollingInput<T>& in) const noexcept {
     typename rotation::ProjectRestore<T>::State none;
     const Vec3<T>& n = in.kinematics.normal;
     const Vec3<T>& spin = in.kinematics.relative_spin;
     const Vec3<T> stored(state.rolling_couple[0], state.rolling_couple[1], state.rolling_couple[2]);
     const Vec3<T> rolled = (spin - n * dot<T>(spin, n)) * in.kinematics.dt;
-    const Vec3<T> trial =
-        rotation::ProjectRestore<T>::apply(none, stored, n, T(0)) - rolled * stiffness(in.pair, in.normal_stiffness);
+    const T k = stiffness(in.pair, in.normal_stiffness);
+    const Vec3<T> trial = rotation::ProjectRestore<T>::apply(none, stored, n, T(0)) - rolled * k;
     const T limit = rolling_friction * in.pair.effective_radius * in.load;
-    const Vec3<T> couple = trial * detail::length_limit<T>(trial, limit, limit).factor;
+    const detail::LengthLimit<T> limited = detail::length_limit<T>(trial, limit, limit);
+    const Vec3<T> couple = trial * limited.factor;
     state.rolling_couple = {couple.x(), couple.y(), couple.z()};
-    return couple;
+    return {couple, select<T>(limited.exceeded, limited.excess * limit, T(0)) / select<T>(k > T(0), k, T(1))};
   }
 
   /// Stored energy M^2 / (2 k_r) [J].

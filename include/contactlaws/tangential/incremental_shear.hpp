@@ -113,7 +113,7 @@ struct Coulomb {
   /// Largest force that sticks under a load, and the force while sliding [N].
   CONTACTLAWS_HD T sticking_limit(const State&, const T& load) const noexcept { return friction * load; }
   CONTACTLAWS_HD T sliding_force(const T& sticking_limit, const T&) const noexcept { return sticking_limit; }
-  CONTACTLAWS_HD static void set_sliding(State&, const Mask<T>&) noexcept {}
+  CONTACTLAWS_HD static void set_sliding(State&, const Mask<T>&, const T& /*dt*/) noexcept {}
 };
 
 /// Static and kinetic friction: a sticking contact slides beyond static_friction P, a sliding one carries friction P and
@@ -141,8 +141,8 @@ struct StaticKinetic {
   CONTACTLAWS_HD T sliding_force(const T& sticking_limit, const T& load) const noexcept {
     return minimum<T>(sticking_limit, T(friction * load));
   }
-  CONTACTLAWS_HD static void set_sliding(State& state, const Mask<T>& sliding) noexcept {
-    state.sliding = select<T>(sliding, T(1), T(0));
+  CONTACTLAWS_HD static void set_sliding(State& state, const Mask<T>& sliding, const T& dt) noexcept {
+    state.sliding = select<T>(dt > T(0), select<T>(sliding, T(1), T(0)), state.sliding);
   }
 };
 
@@ -226,9 +226,11 @@ struct IncrementalShear : Stiffness, Friction {
     Mask<T> sticks = detail::surely_within<T>(spring, limit);
     if constexpr (damped) sticks = sticks && detail::surely_within<T>(total, limit);
     Mask<T> sliding(false);
+    T friction_work = T(0);
     if (!all<T>(in.open || sticks)) {
       const T kinetic = this->sliding_force(limit, in.friction_load);
       const detail::LengthLimit<T> first = detail::length_limit<T>(spring, limit, kinetic);
+      friction_work = first.excess * kinetic / select<T>(in.stiffness > T(0), in.stiffness, T(1));
       spring = spring * first.factor;
       if constexpr (stored == Stored::force) {
         history = spring;
@@ -245,9 +247,9 @@ struct IncrementalShear : Stiffness, Friction {
         sliding = sliding || second.exceeded;
       }
     }
-    this->set_sliding(state, sliding);
+    this->set_sliding(state, sliding, in.kinematics.dt);
     state.shear = {history.x(), history.y(), history.z()};
-    return {total, sliding};
+    return {total, spring, sliding, friction_work};
   }
 
   /// Energy stored in the shear spring [J]; `stiffness` at the overlap of the state.
