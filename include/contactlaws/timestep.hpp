@@ -9,7 +9,7 @@
 // The smallest over axes and bodies, times a safety factor. The limit of central differences for one spring is
 // 2 sqrt(m / k); neighbours that move against each other halve it.
 //
-// Impact: stiffness grows with the overlap, so it says nothing about an impact that is still to come. The duration of an elastic
+// Impact: stiffness grows with the overlap, so it does not bound an impact that is still to come. The duration of an elastic
 // impact of two spheres at speed v does (Hertz 1881; Johnson 1985, Eqs 11.21 and 11.24):
 //
 //   o_max = (15 m* v^2 / (16 E* sqrt(R*)))^(2/5)      t_c = 2.943275 o_max / v

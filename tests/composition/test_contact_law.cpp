@@ -151,7 +151,7 @@ TEST_CASE("Fault: a query advances the history") {
   CHECK(asked.shear == once.shear);
 }
 
-TEST_CASE("Fault: a law does not tell how far it reaches") {
+TEST_CASE("Fault: the interaction range of a law ends at touch") {
   const PairProperties<double> pair = granite_pair<double>();
   visit_laws([&pair](const char* name, std::size_t, const auto& law) {
     INFO(name);

@@ -44,7 +44,7 @@ TEST_CASE("Energy: closed loops of the four shear histories, in closed form") {
   CHECK(gain<ShearDisplacementRescaled<double>>(shallow, deep, slip) == is(stored * (1 - k)));
 }
 
-TEMPLATE_TEST_CASE("Energy: sticking shear stores k S^2/2, whatever is remembered", "", ShearForce<double>,
+TEMPLATE_TEST_CASE("Energy: sticking shear stores k S^2/2, whatever the history stores", "", ShearForce<double>,
                    ShearForceRescaled<double>, ShearDisplacement<double>, ShearDisplacementRescaled<double>) {
   MovedContact<Undamped<TestType>> contact(1e6);
   contact.move(1e-4, 0.0);

@@ -48,7 +48,7 @@ TEMPLATE_LIST_TEST_CASE("the frame of the observer does not matter", "", Scalars
   });
 }
 
-TEMPLATE_LIST_TEST_CASE("bodies that swap places feel exactly opposite forces", "", Scalars) {
+TEMPLATE_LIST_TEST_CASE("forces on swapped bodies are exactly opposite", "", Scalars) {
   check<TestType>("swap", 0, [](const auto& law, const auto& now, Random&) { return changed_by_swap(law, now); });
 }
 

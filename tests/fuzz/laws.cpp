@@ -41,7 +41,7 @@ void expect_physics(const Law& law, const Instant& now) {
   const double strength = law.friction().largest * positive_part(step.normal_force + adhesion);
   if (strength > 0.0 && strength < smallest_strength) return;
   expect(test::friction_error(law, now.pair, now.kinematics, step) <= 8.0, "friction bounds the shear force");
-  expect(test::changed_by_swap(law, now) == 0, "swapped bodies feel opposite forces");
+  expect(test::changed_by_swap(law, now) == 0, "forces on swapped bodies are opposite");
 }
 
 /// What holds of any step at all, and of the queries that go with it.

@@ -68,7 +68,7 @@ TEMPLATE_TEST_CASE("Shear: four histories agree while the overlap does not chang
   CHECK(slip == Approx(29.02e-6).margin(0.011e-6));  // printed digit and step
 }
 
-TEST_CASE("Shear: unloading to half the overlap and back tells the four histories apart") {
+TEST_CASE("Shear: the four histories differ after unloading to half the overlap and back") {
   const auto path = [](auto sheared, double unloaded, double reloaded) {
     sheared.move(1e-4, 99.0e-6);
     CHECK(sheared.move(0.5e-4, 0.0) == Approx(unloaded).epsilon(1e-8));
@@ -196,16 +196,16 @@ TEMPLATE_TEST_CASE("Shear: accuracy of the friction limit", "", double, float) {
   CHECK(factor.error() <= 4.0);  // a norm (3 squares, a root, a scaling) and a quotient
 }
 
-TEST_CASE("Shear: a contact that opens forgets, whatever its history") {
-  const auto forgets = [](auto sheared) {
+TEST_CASE("Shear: a contact that opens is reset, whatever its history") {
+  const auto is_reset = [](auto sheared) {
     sheared.move(1e-4, 1e-5);
     sheared.move(-1e-9, 1e-5);
     CHECK(sheared.move(1e-4, 0.0) == 0.0);
   };
-  forgets(Sheared<ShearForce<double>>(0.4));
-  forgets(Sheared<ShearForceRescaled<double>>(0.4));
-  forgets(Sheared<ShearDisplacement<double>>(0.4));
-  forgets(Sheared<ShearDisplacementRescaled<double>>(0.4));
+  is_reset(Sheared<ShearForce<double>>(0.4));
+  is_reset(Sheared<ShearForceRescaled<double>>(0.4));
+  is_reset(Sheared<ShearDisplacement<double>>(0.4));
+  is_reset(Sheared<ShearDisplacementRescaled<double>>(0.4));
 }
 
 namespace {

@@ -12,24 +12,24 @@ using Vector = Vec3<double>;
 /// v turned about a unit axis.
 Vector turned(const Vector& v, const Vector& axis, double angle) { return Eigen::AngleAxisd(angle, axis) * v; }
 
-/// A pair turns rigidly by `total` about `axis`, in `steps`; how far the carried shear of length 1 ends from the truth.
-template <class Carry>
+/// A pair turns rigidly by `total` about `axis`, in `steps`; how far the followed shear of length 1 ends from the truth.
+template <class Rotation>
 double error_of(const Vector& axis, double total, int steps) {
   const Vector normal(1, 0, 0), shear(0, 0.6, 0.8);
-  typename Carry::State state{};
-  Vector carried = Carry::apply(state, Vector(0, 0, 0), normal, 0.0);  // a new contact has no shear
-  carried = shear;
+  typename Rotation::State state{};
+  Vector followed = Rotation::apply(state, Vector(0, 0, 0), normal, 0.0);  // a new contact has no shear
+  followed = shear;
   const double angle = total / steps;
   for (int i = 1; i <= steps; ++i) {
     const Vector n = turned(normal, axis, angle * i).normalized();
-    carried = Carry::apply(state, carried, n, angle * axis.dot(n));
+    followed = Rotation::apply(state, followed, n, angle * axis.dot(n));
   }
-  return (carried - turned(shear, axis, total)).norm();
+  return (followed - turned(shear, axis, total)).norm();
 }
 
-template <class Carry>
+template <class Rotation>
 double order_of(const Vector& axis) {
-  return std::log2(error_of<Carry>(axis, 1.0, 100) / error_of<Carry>(axis, 1.0, 200));
+  return std::log2(error_of<Rotation>(axis, 1.0, 100) / error_of<Rotation>(axis, 1.0, 200));
 }
 
 using Project = rotation::Project<double>;
@@ -38,7 +38,7 @@ using Rotate = rotation::Rotate<double>;
 
 }  // namespace
 
-TEST_CASE("Carry: error per radian of a turning pair halves with the step for projections, quarters for Rotate") {
+TEST_CASE("Rotation: error per radian of a turning pair halves with the step for projections, quarters for Rotate") {
   const Vector across(0, 0, 1);
   // The next order's share at 100 steps a radian is of the order of a per cent.
   CHECK(order_of<Project>(across) == Approx(1.0).epsilon(0.02));
@@ -53,7 +53,7 @@ TEST_CASE("Carry: error per radian of a turning pair halves with the step for pr
   CHECK(error_of<ProjectRestore>(oblique, 1.0, 100) > 0.1);
 }
 
-TEST_CASE("Carry: a common spin about the normal turns the shear with Rotate, exactly, and with nothing else") {
+TEST_CASE("Rotation: a common spin about the normal turns the shear with Rotate, exactly, and with nothing else") {
   const Vector normal(0, 0, 1), shear(3, 0, 0);
   for (const double twist : {1e-9, 0.3, -2.0}) {
     Rotate::State state{{0, 0, 1}};
@@ -65,21 +65,21 @@ TEST_CASE("Carry: a common spin about the normal turns the shear with Rotate, ex
   }
 }
 
-TEST_CASE("Carry: Rotate is exact for any turn short of reversal, of any normal") {
+TEST_CASE("Rotation: Rotate is exact for any turn short of reversal, of any normal") {
   Random random;
   for (int i = 0; i < 1000; ++i) {
     const Vector from = random.direction(), axis = random.direction_across(from);
     const double angle = random.uniform(0.0, 3.0);
     const Vector to = turned(from, axis, angle), shear = random.log_uniform(1e-9, 1e9) * random.direction_across(from);
     Rotate::State state{{from.x(), from.y(), from.z()}};
-    const Vector carried = Rotate::apply(state, shear, to, 0.0);
+    const Vector followed = Rotate::apply(state, shear, to, 0.0);
     // 1/(1 + cos) is 100 at 3 rad, and multiplies the rounding of the two unit vectors.
-    CHECK((carried - turned(shear, axis, angle)).norm() <= 1e-13 * shear.norm());
+    CHECK((followed - turned(shear, axis, angle)).norm() <= 1e-13 * shear.norm());
     CHECK(Vector(state.last_normal[0], state.last_normal[1], state.last_normal[2]) == to);
   }
 }
 
-TEST_CASE("Carry: all keep the shear in the plane, and say what becomes of its length") {
+TEST_CASE("Rotation: all keep the shear in the plane; Project shortens it, the others do not") {
   Random random;
   for (int i = 0; i < 1000; ++i) {
     const Vector from = random.direction();
@@ -92,7 +92,7 @@ TEST_CASE("Carry: all keep the shear in the plane, and say what becomes of its l
     const Vector projected = Project::apply(none, shear, to, 0.0);
     const Vector restored = ProjectRestore::apply(nothing, shear, to, 0.0);
     const Vector rotated = Rotate::apply(state, shear, to, 0.0);
-    for (const Vector& carried : {projected, restored, rotated}) CHECK(std::abs(carried.dot(to)) <= 2 * rounding);
+    for (const Vector& followed : {projected, restored, rotated}) CHECK(std::abs(followed.dot(to)) <= 2 * rounding);
     CHECK(projected.norm() <= length + rounding);
     CHECK(restored.norm() == Approx(length).epsilon(1e-15).margin(rounding));
     CHECK(rotated.norm() == Approx(length).epsilon(1e-15).margin(rounding));
@@ -100,26 +100,26 @@ TEST_CASE("Carry: all keep the shear in the plane, and say what becomes of its l
   }
 }
 
-TEMPLATE_TEST_CASE("Carry: over a million steps of a tumbling pair the length drifts by random roundings only", "",
+TEMPLATE_TEST_CASE("Rotation: over a million steps of a tumbling pair the length drifts by random roundings only", "",
                    ProjectRestore, Rotate) {
-  using Carry = TestType;
+  using Rotation = TestType;
   Random random;
-  for (const double angle : {1e-2, 1e-4, 1e-6, 1.4e-8}) {  // the last turns by less than its square can tell from 1
+  for (const double angle : {1e-2, 1e-4, 1e-6, 1.4e-8}) {  // the last turns by less than sqrt(eps)
     Vector normal(1, 0, 0), shear(0, 1, 0), axis(0, 0, 1);
-    typename Carry::State state{};
-    Carry::apply(state, Vector(0, 0, 0), normal, 0.0);
+    typename Rotation::State state{};
+    Rotation::apply(state, Vector(0, 0, 0), normal, 0.0);
     const int steps = cases(1000000);
     for (int i = 0; i < steps; ++i) {
       if (i % 100 == 0) axis = random.direction();
       normal = (normal + angle * axis.cross(normal)).normalized();
-      shear = Carry::apply(state, shear, normal, angle * 0.1);
+      shear = Rotation::apply(state, shear, normal, angle * 0.1);
     }
     // sqrt(steps) eps is 2e-13; what were biased by half an eps a step would come to 1e-10.
     CHECK(std::abs(shear.norm() - 1.0) <= 2e-12);
   }
 }
 
-TEST_CASE("Carry: nothing to carry stays nothing, and a reversed normal makes no NaN") {
+TEST_CASE("Rotation: a zero history stays zero, and a reversed normal makes no NaN") {
   const Vector zero(0, 0, 0), normal(0, 1, 0);
   Rotate::State fresh{};
   CHECK(Rotate::apply(fresh, zero, normal, 0.1) == zero);
@@ -130,7 +130,8 @@ TEST_CASE("Carry: nothing to carry stays nothing, and a reversed normal makes no
   CHECK(ProjectRestore::apply(none, Vector(0, 2, 0), normal, 0.0).allFinite());  // all of it lies along the normal
 }
 
-TEMPLATE_TEST_CASE("Carry: two spheres that roll on each other shear nothing", "", Project, ProjectRestore, Rotate) {
+TEMPLATE_TEST_CASE("Rotation: two spheres that roll on each other have no shear force", "", Project, ProjectRestore,
+                   Rotate) {
   using Law = ContactLaw<Hertz<double>, NoDashpots<double>, ShearForce<double, Mindlin<double>, TestType>>;
   const Law law{{}, {}, {{}, 0.4}, {}};
   const PairProperties<double> pair = granite_pair<double>();

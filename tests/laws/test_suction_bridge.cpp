@@ -103,7 +103,7 @@ TEST_CASE("Bridge: energy is the work to rupture, in closed form and as the inte
   CHECK(bridge.energy(Bridge::State{}, pair, 0.0) == 0.0);
 }
 
-TEST_CASE("Bridge: a ruptured contact that parts is no longer active, and tells how far it reached") {
+TEST_CASE("Bridge: a contact is active until its bridge ruptures, at the interaction range") {
   const Hill<double> law = test::hill<double>(0.4, 2e5, 0.0);
   const PairProperties<double> pair = granite_pair<double>();
   Hill<double>::State state{};

@@ -291,34 +291,33 @@ class Kernels {
           at(from, 0), at(from, 1),  at(from, 2),  at(to, 0),    at(to, 1),
           at(to, 2),   at(shear, 0), at(shear, 1), at(shear, 2), r.chance(0.5) ? T(0) : component(r)};
     };
-    const auto carried = [vector](const auto& x, auto state) {
+    const auto turned = [vector](const auto& x, auto state) {
       using S = std::decay_t<decltype(x[0])>;
-      using Carry = typename decltype(state)::type;
-      typename Carry::State memory{};
-      Carry::apply(memory, Vec3<S>(S(0), S(0), S(0)), vector(x, 0), S(0));
-      return Vec3<S>(Carry::apply(memory, vector(x, 6), vector(x, 3), x[9]));
+      using Rotation = typename decltype(state)::type;
+      typename Rotation::State memory{};
+      Rotation::apply(memory, Vec3<S>(S(0), S(0), S(0)), vector(x, 0), S(0));
+      return Vec3<S>(Rotation::apply(memory, vector(x, 6), vector(x, 3), x[9]));
     };
     const std::string inputs = "nx ny nz n'x n'y n'z sx sy sz twist";
     roots(
-        "carry.project", inputs,
-        [carried](const auto& x) { return carried(x, Carrier<rotation::Project<std::decay_t<decltype(x[0])>>>{}); },
+        "rotation.project", inputs,
+        [turned](const auto& x) { return turned(x, Carrier<rotation::Project<std::decay_t<decltype(x[0])>>>{}); },
         turn);
     roots(
-        "carry.project and restore", inputs,
-        [carried](const auto& x) {
-          return carried(x, Carrier<rotation::ProjectRestore<std::decay_t<decltype(x[0])>>>{});
+        "rotation.project and restore", inputs,
+        [turned](const auto& x) {
+          return turned(x, Carrier<rotation::ProjectRestore<std::decay_t<decltype(x[0])>>>{});
         },
         turn, "near a right angle most of the shear lies along the new normal: |s|^2 less that part cancels");
     powers(
-        "carry.rotate", inputs,
-        [carried](const auto& x) { return carried(x, Carrier<rotation::Rotate<std::decay_t<decltype(x[0])>>>{}); },
-        turn);
+        "rotation.rotate", inputs,
+        [turned](const auto& x) { return turned(x, Carrier<rotation::Rotate<std::decay_t<decltype(x[0])>>>{}); }, turn);
   }
 
  private:
-  template <class Carry>
+  template <class Rotation>
   struct Carrier {
-    using type = Carry;
+    using type = Rotation;
   };
 
   template <class Kernel, class Draw>

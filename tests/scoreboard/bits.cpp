@@ -23,7 +23,7 @@ class Hash {
  public:
   template <class T>
   void add(T x) {
-    if (x == T(0)) x = T(0);  // the sign of a zero says nothing
+    if (x == T(0)) x = T(0);  // the sign of a zero may differ
     unsigned char bytes[sizeof(T)];
     std::memcpy(bytes, &x, sizeof(T));
     for (const unsigned char byte : bytes) value_ = (value_ ^ byte) * 1099511628211u;

@@ -129,7 +129,7 @@ def turned(v, axis, angle):
     return [x * cos(angle) + y * sin(angle) + a * along * (1 - cos(angle)) for x, y, a in zip(v, c, axis)]
 
 
-def carry_rotate(last_x, last_y, last_z, normal_x, normal_y, normal_z, shear_x, shear_y, shear_z, twist):
+def rotation_rotate(last_x, last_y, last_z, normal_x, normal_y, normal_z, shear_x, shear_y, shear_z, twist):
     """Section 3: the shear turns with n, about the axis across both normals by the angle between them, then about n."""
     last, normal, shear = (last_x, last_y, last_z), (normal_x, normal_y, normal_z), (shear_x, shear_y, shear_z)
     last, normal = ([x / sqrt(dot(v, v)) for x in v] for v in (last, normal))
@@ -142,7 +142,7 @@ def carry_rotate(last_x, last_y, last_z, normal_x, normal_y, normal_z, shear_x, 
     return dict(zip(("carried_x", "carried_y", "carried_z"), carried))
 
 
-# The largest disagreement allowed. Of carry_rotate, of the whole vector: its normals are unit vectors to double precision only.
+# The largest disagreement allowed. Of rotation_rotate, of the whole vector: its normals are unit vectors to double precision only.
 ORACLES = {
     "pair": (pair, PRINTED),
     "hertz": (hertz, PRINTED),
@@ -152,7 +152,7 @@ ORACLES = {
     "bridge": (bridge, PRINTED),
     "pohrt_popov_virgin": (pohrt_popov, PRINTED),
     "pohrt_popov_unloading": (pohrt_popov, PRINTED),
-    "carry_rotate": (carry_rotate, mpf("1e-15")),
+    "rotation_rotate": (rotation_rotate, mpf("1e-15")),
 }
 
 
@@ -168,7 +168,7 @@ def disagreement(name, oracle):
             sys.exit(f"{name}.csv: columns are {', '.join(row)}; expected {', '.join([*inputs, *expected])}")
         size = max(abs(x) for x in expected.values())
         for key, value in expected.items():
-            scale = size if name == "carry_rotate" else abs(value)
+            scale = size if name == "rotation_rotate" else abs(value)
             off = abs(mpf(row[key]) - value)
             relative = off / scale if scale > 0 else off
             if relative > worst:

@@ -16,13 +16,13 @@ void objectivity(const std::string& name, std::int64_t count, const Draw& draw, 
   report({6, name, worst.figure, "eps of the largest part", 8.0, worst.tried, worst.where, reason});
 }
 
-/// How far the length of a carried shear drifts from 1, as a pair turns `steps` times by `angle` [rad].
-template <class Carry>
+/// How far the length of a turned shear drifts from 1, as a pair turns `steps` times by `angle` [rad].
+template <class Rotation>
 double drift(double angle, std::int64_t steps, bool tumbles) {
   Random random;
   Vec3<double> normal(1, 0, 0), shear(0, 0.6, 0.8), axis(0, 0, 1);
-  typename Carry::State state{};
-  Carry::apply(state, Vec3<double>(0, 0, 0), normal, 0.0);
+  typename Rotation::State state{};
+  Rotation::apply(state, Vec3<double>(0, 0, 0), normal, 0.0);
   for (std::int64_t i = 1; i <= steps; ++i) {
     if (tumbles) {
       if (i % 100 == 1) axis = random.direction();
@@ -31,17 +31,17 @@ double drift(double angle, std::int64_t steps, bool tumbles) {
       const double turned_by = angle * static_cast<double>(i);
       normal = {std::cos(turned_by), std::sin(turned_by), 0.0};
     }
-    shear = Carry::apply(state, shear, normal, 0.0);
+    shear = Rotation::apply(state, shear, normal, 0.0);
   }
   return std::abs(shear.norm() - 1.0);
 }
 
-template <class Carry>
+template <class Rotation>
 void drift_of(const std::string& name, std::int64_t steps) {
   for (const bool tumbles : {false, true}) {
     Worst worst;
     for (const double angle : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1.4e-8})
-      worst.see(drift<Carry>(angle, steps, tumbles), angle, " rad a step");
+      worst.see(drift<Rotation>(angle, steps, tumbles), angle, " rad a step");
     report({6, "drift of length, " + name + (tumbles ? ", a tumbling pair" : ", a steadily turning pair"), worst.figure,
             "of the length", 1e-12, steps, worst.where,
             "roundings of a slow turn, the normal's length above all, repeat and do not cancel: below an eps a step"});

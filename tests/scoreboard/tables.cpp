@@ -192,7 +192,7 @@ void write(Tables& tables) {
       turns.push_back(row);
     }
   tables.add(
-      "carry_rotate",
+      "rotation_rotate",
       "last_x,last_y,last_z,normal_x,normal_y,normal_z,shear_x,shear_y,shear_z,twist,carried_x,carried_y,carried_z",
       turns, 6.0,
       [](const auto& x) {
