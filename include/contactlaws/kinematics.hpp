@@ -67,6 +67,7 @@ CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Vec3<T>& x1, const NonDedu
   const T half = overlap / T(2);
   return {normal, overlap, normal * (radius1 - half), normal * (half - radius2)};
 }
+#if !defined(CONTACTLAWS_NO_EIGEN)
 /// The same for vector expressions.
 template <class X1, class X2, class T = typename X1::Scalar>
 CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Eigen::MatrixBase<X1>& x1, const typename X1::Scalar& radius1,
@@ -74,6 +75,7 @@ CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Eigen::MatrixBase<X1>& x1,
                                                 const typename X1::Scalar& radius2) noexcept {
   return sphere_sphere<T>(Vec3<T>(x1), radius1, Vec3<T>(x2), radius2);
 }
+#endif
 
 /// A plane (body 1: through `point`, facing along the unit vector `facing`; its arm starts at `point`) and a sphere.
 template <class T>

@@ -12,16 +12,10 @@
 #include <limits>
 #include <type_traits>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>  // cross
-
 #include "contactlaws/core/config.hpp"
+#include "contactlaws/core/vector.hpp"
 
 namespace contactlaws {
-
-/// A vector in space.
-template <class T>
-using Vec3 = Eigen::Matrix<T, 3, 1>;
 
 /// T, but not deduced from the argument: sphere(granite, 5) takes an integer radius.
 template <class T>
@@ -93,8 +87,13 @@ CONTACTLAWS_HD T maximum(const T& a, const T& b) noexcept {
 
 /// Two square roots for the price of one where the hardware has pairs.
 template <class T>
-CONTACTLAWS_HD Eigen::Array<T, 2, 1> sqrt_pair(const T& a, const T& b) noexcept {
-  return Eigen::Array<T, 2, 1>(a, b).sqrt();
+CONTACTLAWS_HD Two<T> sqrt_pair(const T& a, const T& b) noexcept {
+#if defined(CONTACTLAWS_NO_EIGEN)
+  using std::sqrt;
+  return {sqrt(a), sqrt(b)};
+#else
+  return Two<T>(a, b).sqrt();
+#endif
 }
 
 /// a . b, summed from x to z for every T. Eigen's order depends on the type; a fixed one gives packs the scalar's bits.

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#if !defined(CONTACTLAWS_NO_EIGEN)
 #include <boost/multiprecision/eigen.hpp>
+#endif
 
 #include "contactlaws/core/scalar.hpp"
 

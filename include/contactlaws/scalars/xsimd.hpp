@@ -10,6 +10,7 @@
 #include "contactlaws/batch.hpp"
 #include "contactlaws/core/power.hpp"
 
+#if !defined(CONTACTLAWS_NO_EIGEN)
 namespace Eigen {
 template <class L, class A>
 struct NumTraits<xsimd::batch<L, A>> : GenericNumTraits<xsimd::batch<L, A>> {
@@ -28,6 +29,7 @@ struct NumTraits<xsimd::batch<L, A>> : GenericNumTraits<xsimd::batch<L, A>> {
   };
 };
 }  // namespace Eigen
+#endif
 
 namespace contactlaws {
 template <class L, class A>

@@ -21,6 +21,10 @@
 #error \
     "contactlaws/verify needs exceptions: build the checks without -fno-exceptions (the laws themselves do not need them)"
 #endif
+#if defined(CONTACTLAWS_NO_EIGEN)
+#error \
+    "contactlaws/verify needs Eigen: build the checks without CONTACTLAWS_NO_EIGEN (the laws themselves do not need it)"
+#endif
 
 #include <any>
 #include <functional>
