@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""Builds the report cards of the hosts that are installed, runs them and writes docs/report_cards.md's tables.
+
+    python3 examples/hosts/report_cards/run.py              prints the tables; results in build/results/report_cards/
+    python3 examples/hosts/report_cards/run.py --publish    also writes them, and the paths of failures, into docs/
+
+Hosts: LAMMPS (lammps, liblammps-dev), LIGGGHTS (liggghts, libliggghts-dev), both with mpi-default-dev. Skips (77) without one.
+"""
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent.parent
+RESULTS = ROOT / "build/results/report_cards"
+PAGE = ROOT / "docs/report_cards.md"
+PATHS = ROOT / "docs/report_cards"
+FLAGS = "-std=c++17 -O1 -w -fpermissive -DOMPI_SKIP_MPICXX -DCONTACTLAWS_INLINE=inline".split()
+
+
+def run(*command, **options):
+    return subprocess.run([str(part) for part in command], check=True, text=True, **options)
+
+
+def headers_of(host):
+    """The folder of the host's headers, or None where it is not installed."""
+    if not shutil.which("mpicxx"):
+        return None
+    if host == "liggghts":
+        folder = Path("/usr/include/liggghts")
+        return folder if folder.is_dir() else None
+    if not Path("/usr/include/lammps/pair.h").is_file():
+        return None
+    folder = ROOT / "build/lammps_headers"
+    run("sh", ROOT / "examples/hosts/lammps/headers.sh", folder)
+    return folder
+
+
+def card(host):
+    """The lines of a host's report card, or None."""
+    headers = headers_of(host)
+    if headers is None:
+        print(f"{host}: not installed, skipped", file=sys.stderr)
+        return None
+    program = RESULTS / f"report_card_{host}"
+    eigen = run("pkg-config", "--cflags-only-I", "eigen3", stdout=subprocess.PIPE).stdout.replace("-I", "-isystem").split()
+    defines = ["-DLAMMPS_SMALLBIG"] if host == "lammps" else []
+    run("mpicxx", *FLAGS, *defines, "-isystem", headers, *eigen, f"-I{ROOT}/include", f"-I{ROOT}", HERE / f"{host}.cpp", "-o", program,
+        f"-l{host}")
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    said = run(program, RESULTS / "paths" / host, stdout=subprocess.PIPE, env=environment).stdout
+    (RESULTS / f"{host}.jsonl").write_text(said)
+    return [json.loads(line) for line in said.splitlines() if line.startswith("{")]
+
+
+def table(lines):
+    """One row for each property, one column for each law: passed, or the figure of the failure."""
+    laws = list(dict.fromkeys(line["law"] for line in lines))
+    rows = [f"| | {' | '.join(laws)} | figure |", "|---" * (len(laws) + 2) + "|"]
+    for name in dict.fromkeys(line["property"] for line in lines):
+        found = {line["law"]: line for line in lines if line["property"] == name}
+        cells = []
+        for law in laws:
+            line = found.get(law)
+            cells.append("-" if line is None else "ok" if line["pass"] else f"**{line['figure']:.2g}**")
+        measure = next(iter(found.values()))["measure"]
+        for line in found.values():
+            if not line["pass"]:
+                measure = line["measure"].split(" at ")[0]
+        rows.append(f"| {name} | {' | '.join(cells)} | {measure} |")
+    return f"{lines[0]['host']}:\n\n" + "\n".join(rows) + "\n"
+
+
+def publish(host, lines):
+    page = PAGE.read_text()
+    begin, end = f"<!-- {host} -->\n", f"<!-- end of {host} -->"
+    before, rest = page.split(begin)
+    PAGE.write_text(before + begin + "\n" + table(lines) + "\n" + end + rest.split(end)[1])
+    folder = PATHS / host
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for line in lines:
+        target = folder / (line["property"].replace(" ", "_") + ".csv")
+        if line["path"] and not target.exists():  # of the first law that fails
+            shutil.copyfile(line["path"], target)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--publish", action="store_true")
+    options = parser.parse_args()
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    cards = {host: card(host) for host in ("lammps", "liggghts")}
+    for host, lines in cards.items():
+        if lines is None:
+            continue
+        print(table(lines))
+        if options.publish:
+            publish(host, lines)
+    return 0 if any(cards.values()) else 77
+
+
+if __name__ == "__main__":
+    sys.exit(main())
