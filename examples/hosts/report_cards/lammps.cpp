@@ -65,6 +65,16 @@ class TwoParticles {
   int history_size() const { return size_; }
   LAMMPS_NS::Pair& pair() const { return *lammps_->force->pair; }
 
+  /// The history as LAMMPS hands it over when the pair changes its owner.
+  void exchange(std::vector<double>& values) const {
+    if (pair().nondefault_history_transfer) {
+      std::vector<double> source = values;
+      pair().transfer_history(source.data(), values.data());
+    } else {
+      for (double& value : values) value = -value;
+    }
+  }
+
   /// One force computation; the history goes in and out by `values`, and `touching` with it.
   verify::Interaction compute(const verify::Bodies& bodies, double dt, std::vector<double>& values,
                               int& touching) const {
@@ -134,37 +144,6 @@ class TwoParticles {
   int size_ = 0;
 };
 
-/// One of LAMMPS's laws as a force update.
-struct HostLaw {
-  const TwoParticles* host;
-
-  struct State {
-    std::vector<double> values;
-    int touching = 0;
-  };
-  State start() const { return {std::vector<double>(std::size_t(host->history_size()), 0.0), 0}; }
-  verify::Interaction operator()(const verify::Bodies& bodies, double dt, State& state) const {
-    return host->compute(bodies, dt, state.values, state.touching);
-  }
-  std::vector<double> store(const State& state) const {
-    std::vector<double> all = state.values;
-    all.push_back(state.touching);
-    return all;
-  }
-  State load(const std::vector<double>& all) const { return {{all.begin(), all.end() - 1}, int(all.back())}; }
-  /// As LAMMPS hands a history over when the pair changes its owner.
-  State exchanged(const State& state) const {
-    State other = state;
-    if (host->pair().nondefault_history_transfer) {
-      std::vector<double> source = state.values;
-      host->pair().transfer_history(source.data(), other.values.data());
-    } else {
-      for (double& value : other.values) value = -value;
-    }
-    return other;
-  }
-};
-
 struct Style {
   std::string title;
   std::vector<std::string> lines;
@@ -214,11 +193,11 @@ void set_up_and_query(ReportCard& card, const TwoParticles& host, const verify::
   verify::Path sheared = path;
   verify::set_normal_velocities(sheared);
   const verify::Bodies bodies = verify::trajectory(sheared, options).front().bodies;
-  HostLaw law{&host};
-  HostLaw::State state = law.start();
+  const HostLaw<TwoParticles> law{&host};
+  HostLaw<TwoParticles>::State state = law.start();
   const double dt = sheared.front().dt;
   const Vector once = law(bodies, dt, state).force;
-  HostLaw::State after = state;
+  HostLaw<TwoParticles>::State after = state;
   const Vector in_set_up = host.set_up(bodies, dt, after.values, after.touching).force;
   double history = 0.0;
   for (std::size_t i = 0; i < state.values.size(); ++i)
@@ -269,7 +248,7 @@ int run(const std::string& folder) {
     verify::Options options = two_grains(friction);
     options.claims.restitution = style.restitution;
     ReportCard card("LAMMPS " + std::string(host.version()), style.title, folder);
-    card.check(HostLaw{&host}, options);
+    card.check(HostLaw<TwoParticles>{&host}, options);
     set_up_and_query(card, host, options);
     if (style.wall.empty()) continue;
     card.add("energy of impacts on a wall", energy_gained_on_wall(style.wall), 1e-4,

@@ -82,6 +82,11 @@ class TwoParticles {
   LAMMPS_NS::PairGran& pair() const { return static_cast<LAMMPS_NS::PairGran&>(*lammps_->force->pair); }
   int history_size() const { return pair().dnum(); }
 
+  /// The history as LIGGGHTS hands it over when the pair changes its owner: shear changes its sign.
+  void exchange(std::vector<double>& values) const {
+    for (double& value : values) value = -value;
+  }
+
   /// One force computation; the history goes in and out by `values`, and `touching` with it.
   verify::Interaction compute(const verify::Bodies& bodies, double dt, std::vector<double>& values,
                               int& touching) const {
@@ -117,32 +122,6 @@ class TwoParticles {
   LAMMPS_NS::LAMMPS* lammps_ = nullptr;
 };
 
-/// One of LIGGGHTS's laws as a force update.
-struct HostLaw {
-  const TwoParticles* host;
-
-  struct State {
-    std::vector<double> values;
-    int touching = 0;
-  };
-  State start() const { return {std::vector<double>(std::size_t(host->history_size()), 0.0), 0}; }
-  verify::Interaction operator()(const verify::Bodies& bodies, double dt, State& state) const {
-    return host->compute(bodies, dt, state.values, state.touching);
-  }
-  std::vector<double> store(const State& state) const {
-    std::vector<double> all = state.values;
-    all.push_back(state.touching);
-    return all;
-  }
-  State load(const std::vector<double>& all) const { return {{all.begin(), all.end() - 1}, int(all.back())}; }
-  /// As LIGGGHTS hands a shear history over when the pair changes its owner.
-  State exchanged(const State& state) const {
-    State other = state;
-    for (double& value : other.values) value = -value;
-    return other;
-  }
-};
-
 int run(const std::string& folder) {
   for (const Model& model : {Model{"hooke, tangential history", "hooke tangential history", 1.0},
                              Model{"hertz, tangential history", "hertz tangential history", 1.0},
@@ -151,7 +130,7 @@ int run(const std::string& folder) {
     verify::Options options = two_grains(0.4);
     options.claims.restitution = model.restitution;
     ReportCard card("LIGGGHTS-PUBLIC 3.8.0", model.title, folder);
-    card.check(HostLaw{&host}, options);
+    card.check(HostLaw<TwoParticles>{&host}, options);
   }
   return 0;
 }

@@ -5,12 +5,39 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "contactlaws/verify/verify.hpp"
 
 namespace contactlaws {
+
+/// A host's law as a force update. Host offers history_size(), exchange(values), and compute(bodies, dt, values, touching),
+/// which takes the history and whether the pair touched, and leaves both after the step.
+template <class Host>
+struct HostLaw {
+  const Host* host;
+
+  struct State {
+    std::vector<double> values;
+    int touching = 0;
+  };
+  State start() const { return {std::vector<double>(std::size_t(host->history_size()), 0.0), 0}; }
+  verify::Interaction operator()(const verify::Bodies& bodies, double dt, State& state) const {
+    return host->compute(bodies, dt, state.values, state.touching);
+  }
+  std::vector<double> store(const State& state) const {
+    std::vector<double> all = state.values;
+    all.push_back(state.touching);
+    return all;
+  }
+  State load(const std::vector<double>& all) const { return {{all.begin(), all.end() - 1}, int(all.back())}; }
+  State exchanged(State state) const {
+    host->exchange(state.values);
+    return state;
+  }
+};
 
 /// Two granite grains of radii 7.5 and 5 mm at overlaps up to 10 um. Claimed: what a user of an elastic law with friction
 /// expects, whether the host's documentation states it or not.
