@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 #include <xsimd/xsimd.hpp>
@@ -54,9 +55,19 @@ struct BinaryDigits<xsimd::batch<L, A>> {
   static constexpr bool known = true;
   using Bits = xsimd::batch<std::conditional_t<sizeof(L) == 8, std::uint64_t, std::uint32_t>, A>;
 
-  static Bits bits(const Pack& x) noexcept { return xsimd::bitwise_cast<Bits>(x); }
-  static Pack number(const Bits& bits) noexcept { return xsimd::bitwise_cast<Pack>(bits); }
+  static Bits bits(const Pack& x) noexcept { return reinterpreted<Bits>(x); }
+  static Pack number(const Bits& bits) noexcept { return reinterpreted<Pack>(bits); }
   static Pack nearest(const Pack& x) noexcept { return xsimd::nearbyint(x); }
+
+ private:
+  /// xsimd's bitwise_cast takes the type of a batch in version 8, and that of its lanes in version 13.
+  template <class To, class From>
+  static To reinterpreted(const From& from) noexcept {
+    static_assert(sizeof(To) == sizeof(From));
+    To to;
+    std::memcpy(static_cast<void*>(&to), &from, sizeof(To));
+    return to;
+  }
 };
 
 template <>
