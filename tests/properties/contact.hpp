@@ -85,12 +85,17 @@ int wrong_when_closed(const ErasedLaw<T>& law, const Instant<T>& now) {
 }
 
 /// By how much the shear force exceeds mu times the normal force, or falls short of it where the contact slides without
-/// dashpots, in roundings of the forces of the step: 8 are the subtraction's own. A law whose friction falls when it slides slides at the lower one.
+/// dashpots, in roundings of the forces of the step and of the adhesion, which cancels in the load: 8 are the subtraction's
+/// own. A law whose friction
+/// falls when it slides slides at the lower one.
 template <class T>
 double friction_error(const ErasedLaw<T>& law, const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
                       const Step<T, typename ErasedLaw<T>::State>& step) {
-  T load = T(0);
-  if (kinematics.overlap > T(0)) load = positive_part<T>(step.normal_force + law.adhesion(pair, kinematics.overlap));
+  T load = T(0), adhesion = T(0);
+  if (kinematics.overlap > T(0)) {
+    adhesion = law.adhesion(pair, kinematics.overlap);
+    load = positive_part<T>(step.normal_force + adhesion);
+  }
   const bool at_limit = step.sliding && !law.damps;
   const Friction<T> friction = law.friction();
   const T shear = norm<T>(shear_part(step, kinematics.normal));
@@ -98,7 +103,8 @@ double friction_error(const ErasedLaw<T>& law, const PairProperties<T>& pair, co
   const T off = at_limit ? maximum<T>(T(shear - load * friction.sliding), T(load * friction.least - shear))
                          : T(shear - load * friction.largest);
   if (off <= T(0)) return 0.0;
-  return static_cast<double>(T(off / (epsilon<T>() * force_scale(step) + std::numeric_limits<T>::denorm_min())));
+  return static_cast<double>(T(off / (epsilon<T>() * (force_scale(step) + adhesion * (T(1) + friction.largest)) +
+                                      std::numeric_limits<T>::denorm_min())));
 }
 
 /// How many values differ when a step is asked for twice, with other queries in between.

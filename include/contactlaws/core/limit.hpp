@@ -24,8 +24,8 @@ template <class T>
 CONTACTLAWS_HD LengthLimit<T> length_limit(const Vec3<T>& v, const T& limit, const T& limited) noexcept {
   const T length = norm<T>(v);
   const Mask<T> within = length <= limit;  // not where one is NaN
-  return {select<T>(within, T(1), limited) / select<T>(within, T(1), length), !within,
-          select<T>(within, T(0), length - limited)};
+  const T divisor = select<T>(length > T(0), length, T(1));
+  return {select<T>(within, T(1), T(limited / divisor)), !within, select<T>(within, T(0), T(length - limited))};
 }
 
 }  // namespace contactlaws::detail
