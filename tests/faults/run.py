@@ -2,7 +2,7 @@
 """Seeds the faults of faults.toml, one at a time, in a copy of the headers, and sees whether the tests notice.
 
     python3 tests/faults/run.py [--only NAME...] [--every N] [--jobs 2]   builds and runs the test of each fault; prints a JSON line
-    python3 tests/faults/run.py --publish                  the same, and writes tests/faults/README.md
+    python3 tests/faults/run.py --publish                  the same, and writes tests/faults/README.md; with --only, those rows
     python3 tests/faults/run.py --check                    only whether each fault still applies and is published
 
 A fault that does not apply, or does not compile, is not caught. Ends with 1 unless all are caught.
@@ -177,23 +177,28 @@ def cell(text):
     return "`" + (text.replace("|", "\\|") or " ") + "`"
 
 
-def publish(results):
-    lines = [
+def definition(fault):
+    """The cells of its row that faults.toml states."""
+    return f"| {fault['name']} | {fault['file']} | {cell(fault['old'].strip())} | {cell(fault['new'].strip())} | {fault['why']} |"
+
+
+def publish(results, faults):
+    """One row for each fault. Those not tried now keep the row that they have."""
+    rows = {line.split(" | ")[0]: line for line in README.read_text().splitlines()}
+    for fault, caught, which in results:
+        by = f"test_{fault['test']}" if caught else "**nothing**"
+        rows[f"| {fault['name']}"] = f"{definition(fault)} {by} | {which} |"
+    lines = [rows[f"| {fault['name']}"] for fault in faults if f"| {fault['name']}" in rows]
+    README.write_text("\n".join([
         "# Faults seeded, and what caught them",
         "",
-        f"Written by `python3 tests/faults/run.py --publish`: {sum(caught for _, caught, _ in results)} of "
-        f"{len(results)} caught. Each is one line of `faults.toml`.",
+        f"Written by `python3 tests/faults/run.py --publish`: {sum('**nothing**' not in line for line in lines)} of "
+        f"{len(faults)} caught. Each is one line of `faults.toml`.",
         "",
         "| fault | file | instead of | stands | because | caught by | test case |",
         "|---|---|---|---|---|---|---|",
-    ]
-    for fault, caught, which in results:
-        by = f"test_{fault['test']}" if caught else "**nothing**"
-        lines.append(
-            f"| {fault['name']} | {fault['file']} | {cell(fault['old'].strip())} | {cell(fault['new'].strip())} "
-            f"| {fault['why']} | {by} | {which} |"
-        )
-    README.write_text("\n".join(lines) + "\n")
+        *lines,
+    ]) + "\n")
 
 
 def check(faults):
@@ -206,8 +211,8 @@ def check(faults):
             yield f"{fault['name']}: {complaint}"
         if source(ROOT, fault["test"]) is None:
             yield f"{fault['name']}: there is no test_{fault['test']}"
-        if f"| {fault['name']} |" not in published:
-            yield f"{fault['name']}: is not in {README.name}: run.py --publish"
+        if f"\n{definition(fault)} " not in published:
+            yield f"{fault['name']}: is not so in {README.name}: run.py --only {fault['name']} --publish"
 
 
 def main():
@@ -225,16 +230,16 @@ def main():
         complaints = list(check(faults))
         print("\n".join(complaints) or f"{len(faults)} faults apply")
         return bool(complaints)
+    tried = faults
     if arguments.only:
         unknown = set(arguments.only) - {fault["name"] for fault in faults}
         if unknown:
             sys.exit(f"faults.toml has no {', '.join(sorted(unknown))}")
-        faults = [fault for fault in faults if fault["name"] in arguments.only]
+        tried = [fault for fault in faults if fault["name"] in arguments.only]
 
-    faults = faults[:: arguments.every]
-    results = try_all(faults, arguments.jobs)
+    results = try_all(tried[:: arguments.every], arguments.jobs)
     if arguments.publish:
-        publish(results)
+        publish(results, faults)
     missed = [f"{fault['name']} ({which})" for fault, caught, which in results if not caught]
     print(json.dumps({
         "item": 16, "name": "seeded faults caught", "figure": len(results) - len(missed), "unit": "faults",
