@@ -12,10 +12,10 @@
 //                    coefficientFriction, coefficientRestitution, suction, fractalDimension, roughness, stiffnessRatio
 //                                                                  peratomtypepair
 #ifdef NORMAL_MODEL
-NORMAL_MODEL(CONTACTLAWS_DRY_HILL, contactlaws/dry_hill, 40)
-NORMAL_MODEL(CONTACTLAWS_DRY_HILL_DISPLACEMENT, contactlaws/dry_hill_displacement, 41)
-NORMAL_MODEL(CONTACTLAWS_HILL, contactlaws/hill, 42)
-NORMAL_MODEL(CONTACTLAWS_ROUGH_BALLAST, contactlaws/rough_ballast, 43)
+NORMAL_MODEL(CONTACTLAWS_DRY_HILL, contactlaws / dry_hill, 40)
+NORMAL_MODEL(CONTACTLAWS_DRY_HILL_DISPLACEMENT, contactlaws / dry_hill_displacement, 41)
+NORMAL_MODEL(CONTACTLAWS_HILL, contactlaws / hill, 42)
+NORMAL_MODEL(CONTACTLAWS_ROUGH_BALLAST, contactlaws / rough_ballast, 43)
 #else
 #ifndef NORMAL_MODEL_CONTACTLAWS_H_
 #define NORMAL_MODEL_CONTACTLAWS_H_
@@ -43,7 +43,7 @@ struct DryHillMaker {
 struct DryHillDisplacementMaker {
   using Properties = contactlaws::DryHillProperties<double>;
   using Law = contactlaws::ContactLaw<contactlaws::Hertz<double>, contactlaws::Dashpots<double>,
-                                      contactlaws::ShearDisplacement<double>>;
+                                      contactlaws::ShearDisplacement<double> >;
   static Law law(const Properties& properties) {
     const auto like = contactlaws::dry_hill(properties);
     Law made;
@@ -93,7 +93,8 @@ class ContactLawsModel : public NormalModelBase {
     // An open contact is seen within this factor only, and must be seen once for its history to be reset.
     double factor = 1.01;
     for (const Pair& pair : pairs_) {
-      const auto bodies = is_wall_ ? plane_sphere_pair(pair.moduli, 1.0, 1.0) : sphere_sphere_pair(pair.moduli, 1.0, 1.0, 1.0);
+      const auto bodies =
+          is_wall_ ? plane_sphere_pair(pair.moduli, 1.0, 1.0) : sphere_sphere_pair(pair.moduli, 1.0, 1.0, 1.0);
       factor = std::max(factor, 1.0 + pair.law.interaction_range(bodies) / bodies.length);
     }
     neighbor->register_contact_dist_factor(factor);
@@ -163,7 +164,8 @@ class ContactLawsModel : public NormalModelBase {
     const auto result = types.law.step(pair, contact.kinematics, state);
     if (advances) Law::store(result.state, values);
     if (s.contact_flags != NULL)  // the host keeps the history of contacts with a flag
-      *s.contact_flags = result.active ? *s.contact_flags | CONTACT_NORMAL_MODEL : *s.contact_flags & ~CONTACT_NORMAL_MODEL;
+      *s.contact_flags =
+          result.active ? *s.contact_flags | CONTACT_NORMAL_MODEL : *s.contact_flags & ~CONTACT_NORMAL_MODEL;
 
     const auto turning = contactlaws::torques(contact, result.force, result.couple);
     add(result.force, turning.on2, s.area_ratio, on_i);

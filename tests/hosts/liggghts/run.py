@@ -86,7 +86,9 @@ def run(text, ranks=1, *variables):
     if ranks > 1:
         command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command]
     environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-    result = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment, cwd=WORK.name)
+    # mpirun reads its input; LIGGGHTS prints some errors twice, the second time from memory that it has freed
+    result = subprocess.run(command, capture_output=True, errors="replace", timeout=300, env=environment, cwd=WORK.name,
+                            stdin=subprocess.DEVNULL)
     rows, in_table = [], False
     for line in result.stdout.splitlines():
         if line.split()[:1] == ["Step"]:
@@ -182,17 +184,33 @@ class Pairs(Check):
                     self.assertLess(abs(float(rows[-1][9]) - (centre + relative * m1 / (m1 + m2))), tolerance)
                     self.assertEqual(float(rows[-1][5]), 0)
 
+    def open_and_close(self, model):
+        """One run, in which no neighbour list is built: pressed by 20 um and sheared by 10 um, apart by 20 um, and together again."""
+        text = spheres(friction=1e6, model=model, every=500)
+        text += f"""
+variable w equal {2 * math.pi / 4000!r}
+variable sheared equal (step>=2000)
+variable x equal -20e-6*sin(v_w*step)
+variable vx equal -20*v_w*cos(v_w*step)
+variable y equal 5e-6*(1-cos(v_w*step))*(1-v_sheared)+10e-6*v_sheared
+variable vy equal 5*v_w*sin(v_w*step)*(1-v_sheared)
+fix mv two move variable v_x v_y NULL v_vx v_vy NULL
+run 4500
+"""
+        rows, output = run(text)
+        self.assertEqual(len(rows), 10, output[-2000:])
+        self.assertGreater(abs(float(rows[2][6])), 1)
+        self.assertGreater(float(rows[6][1]), R1 + R2)
+        return [float(x) for x in rows[-1]]
+
     def test_history_is_new_after_a_gap(self):
-        """Sheared, apart by 10 um (nearer than the skin), and together again: no shear force."""
+        """At 14.1 um again the normal is 8e-4 off the direction of approach: a slip of 0.01 um instead of 10 um that might be left.
+        A surface that is new follows the virgin curve; one that was flattened would carry a tenth less."""
+        overlap = R1 + R2 - math.hypot(R1 + R2 - 20e-6 * math.sin(math.pi / 4), 10e-6)
         for law in OURS:
-            text = spheres(friction=10, model="contactlaws/" + law)
-            rows, output = run(text + move("two", "-0.01 0 0", 2000) + move("two", "0 0.01 0", 1000) + move("two", "0 -0.01 0", 500) +
-                               move("two", "0.01 0 0", 3000) + move("two", "0 -0.01 0", 500) + move("two", "-0.01 0 0", 3000))
-            self.assertGreater(abs(float(rows[5][6])), 10)
-            self.assertGreater(float(rows[7][1]), R1 + R2)
-            self.assertGreater(float(rows[-1][5]), 10)
-            # approached along x: the normal is x, to the rounding of y
-            self.assertLess(abs(float(rows[-1][6])), 1e-9 * float(rows[-1][5]), law)
+            last = self.open_and_close("contactlaws/" + law)
+            self.assertLess(abs(last[6]), 0.01 * last[5], law)
+        self.assert_close(last[5], 4 / 3 * E_STAR * math.sqrt(RADIUS) * indentation(overlap) ** 1.5, 1e-5)  # of rough_ballast; n_x
 
     def test_set_up_pass_changes_nothing(self):
         for law in OURS:
