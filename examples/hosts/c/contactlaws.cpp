@@ -49,7 +49,6 @@ struct Request {
   Properties properties;
   OfBodies materials;
   auto slots() { return std::tie(properties, materials); }
-  auto slots() const { return std::tie(properties, materials); }
 };
 
 template <class Law>
