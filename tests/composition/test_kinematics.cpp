@@ -111,6 +111,27 @@ TEST_CASE("Kinematics: spheres from a host's arrays are the same contact, with t
   }
 }
 
+TEST_CASE("Kinematics: a sphere of radius 0 at the nearest point of a wall is the wall") {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const double radius = random.log_uniform(1e-3, 1.0);
+    const Vector facing = random.direction(), point = random.direction();
+    const Vector x2 = point + radius * random.uniform(0.9, 1.1) * facing;
+    const BodyMotion<double> wall{point, random.direction(), {0, 0, 0}}, body = random_body(random, x2);
+    const ContactGeometry<double> geometry = plane_sphere<double>(point, facing, x2, radius);
+    const auto expected = contact_kinematics(geometry, wall, body, 1e-6);
+    const auto contact = sphere_contact(point.data(), wall.velocity.data(), wall.spin.data(), 0.0, x2.data(),
+                                        body.velocity.data(), body.spin.data(), radius, 1e-6);
+    // Coordinates of size 1 + radius are rounded, and give the direction over a distance of 0.9 radius or more.
+    const double size = 1 + radius, turned = 8 * eps * size / radius;
+    CHECK((contact.kinematics.normal - facing).norm() <= turned);
+    CHECK(std::abs(contact.kinematics.overlap - geometry.overlap) <= 8 * eps * size);
+    CHECK((contact.kinematics.velocity - expected.velocity).norm() <=
+          (turned + 16 * eps) * (wall.velocity.norm() + body.velocity.norm() + body.spin.norm() * radius));
+    CHECK((contact.kinematics.normal * -contact.arm2 - geometry.arm2).norm() <= 2 * turned * radius);
+  }
+}
+
 TEST_CASE("Kinematics: forces and torques of a pair balance") {
   Random random;
   const DryHill<double> law = test::dry_hill<double>(0.4, 0.3);

@@ -289,6 +289,23 @@ TEST_CASE("Parameters are set by name, of a law and of a maker's properties") {
   CHECK(rough_ballast(ballast).shear.ratio == 0.9);
 }
 
+/// What a host sets by name besides a law's parameters.
+struct LawAndMaterial {
+  DryHillProperties<double> law;
+  ElasticMaterial<double> material;
+  auto slots() { return std::tie(law, material); }
+};
+TEST_CASE("Parameters are set by name in a host's own group of them") {
+  using Catch::Matchers::Equals;
+  LawAndMaterial all{};
+  set_parameter(all, "friction", 0.4);
+  set_parameter(all, "young", 29e9);
+  CHECK(all.law.friction == 0.4);
+  CHECK(all.material.young == 29e9);
+  CHECK_THROWS_WITH(set_parameter(all, "mu", 0.4), Equals("no parameter 'mu'; there are: friction, damping_constant, "
+                                                          "young, poisson, density"));
+}
+
 TEST_CASE("A law says which of its slots' parameters is out of range") {
   using Catch::Matchers::Equals;
   LinearSpringDashpot<double> law{{1e6}, {0.1}, {{0.5}, 0.4}, {}};

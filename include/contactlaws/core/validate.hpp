@@ -69,7 +69,7 @@ namespace detail {
 template <class Owner, class = void>
 struct HasSlots : std::false_type {};
 template <class Owner>
-struct HasSlots<Owner, std::void_t<decltype(std::declval<const Owner&>().slots())>> : std::true_type {};
+struct HasSlots<Owner, std::void_t<decltype(std::declval<Owner&>().slots())>> : std::true_type {};
 }  // namespace detail
 
 /// Calls visit(name of the owner, parameter, value) for each parameter of `owner`, of a law over all its slots.
