@@ -137,8 +137,8 @@ class Numbers(InTemporaryDirectory):
         }
         mass = 1 / sum(1 / (4 / 3 * math.pi * r**3 * 2650) for r in (7.5e-3, 5e-3))
         for law, tension, realised in (
-            ("lammps_restitution", "allowed", 0.7),
-            ("yade_restitution", "clipped", 0.7182),
+            ("liggghts_restitution", "allowed", 0.7),
+            ("liggghts_limit_force", "clipped", 0.7182),
             ("kratos_restitution", "clipped", 0.7),
         ):
             with self.subTest(law=law):
@@ -156,11 +156,11 @@ class Numbers(InTemporaryDirectory):
 
         # MercuryDPM: 2/3 of everybody else's, its history projected as LIGGGHTS's.
         self.assert_close(shear(law_text("mercurydpm_mindlin")), 2 / 3 * 1478.27164521, 4e-7)
-        # YADE: G and nu are averaged, then G* = G/(2 (2 - nu)); others sum (2 - nu)/G.
+        # Averaged: G and nu, then G* = G/(2 (2 - nu)); others sum (2 - nu)/G.
         (g1, nu1), (g2, nu2) = ((young / 2 / (1 + nu), nu) for young, nu in ((48e9, 0.2), (208e9, 0.3)))
         averaged = (g1 + g2) / 2 / (2 * (2 - (nu1 + nu2) / 2))
         summed = 1 / ((2 - nu1) / g1 + (2 - nu2) / g2)
-        own = law_text("yade_unlike_materials")
+        own = law_text("averaged_moduli")
         bodies = own[: own.index("[pair]")] + "".join(
             f"[pair.body{i}]\nradius = {r}\nyoung = {young}\npoisson = {nu}\ndensity = 1\n"
             for i, r, young, nu in ((1, 7.5e-3, 48e9, 0.2), (2, 5e-3, 208e9, 0.3))
