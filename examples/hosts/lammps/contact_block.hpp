@@ -12,7 +12,7 @@ namespace contactlaws {
 /// Body 1 stands at the origin: `branch` and `velocity` are those of centre 2 relative to centre 1.
 template <class Law>
 struct ContactBlock {
-  static constexpr std::size_t capacity = 128;  // columns of this length stay in the first-level cache
+  static constexpr std::size_t capacity = 64;  // the columns stay in the first-level cache
   using Column = std::array<double, capacity>;
   using Vectors = std::array<Column, 3>;
 

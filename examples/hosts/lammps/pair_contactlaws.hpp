@@ -55,16 +55,23 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   static_assert(Law::state_size > 0, "a law without history needs no fix NEIGH_HISTORY");
   static_assert(!Law::outlives_separation, "LAMMPS forgets pairs that have separated");
 
+  struct Atoms {
+    double **x, **v, **spin, **force, **torque;
+    const double* radius;
+    int owned, newton;
+  };
+  struct Contact {
+    int i, j;         ///< atoms: bodies 1 and 2
+    int* touch;       ///< 1: it has a history
+    double* history;  ///< Law::state_size values
+  };
   struct TypePair {
     Parameters parameters;
     Law law;
     EffectiveModuli<double> moduli;
     double wet_gap = -1.0;  ///< < 0: wets nothing [m]
     ContactBlock<Law> block;
-    // of each contact in the block
-    std::array<int, ContactBlock<Law>::capacity> i, j;
-    std::array<int*, ContactBlock<Law>::capacity> touch;
-    std::array<double*, ContactBlock<Law>::capacity> history;
+    std::array<Contact, ContactBlock<Law>::capacity> contacts;  ///< those in the block
   };
 
  public:
@@ -176,9 +183,9 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     ev_init(energy_flag, virial_flag);
     if (rigid_ != nullptr && neighbor->ago == 0) find_body_masses();
     if (packs_ != 0) {
-      collect<Pack>();
+      step_all<Pack>();
     } else {
-      collect<double>();
+      step_all<double>();
     }
   }
 
@@ -341,107 +348,135 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     return nullptr;
   }
 
-  /// Collects the contacts of the neighbour list and steps them block by block.
+  /// Steps the contacts of the neighbour list: one by one, or collected in blocks.
   template <class Number>
-  void collect() {
+  void step_all() {
     const double dt = update->setupflag != 0 ? 0.0 : update->dt;
-    double** const x = atom->x;
-    double** const v = atom->v;
-    double** const w = atom->omega;
-    const double* const radius = atom->radius;
+    const Atoms atoms{atom->x, atom->v, atom->omega, atom->f, atom->torque, atom->radius, atom->nlocal, force->newton_pair};
+    const int* const type = atom->type;
     for (int n = 0; n < list->inum; ++n) {
-      const int i = list->ilist[n];
+      const int i = list->ilist[n], neighbours = list->numneigh[i];
+      const int* const neighbour = list->firstneigh[i];
       int* const touches = history_->firstflag[i];
       double* const histories = history_->firstvalue[i];
-      TypePair* const* const pair_of = &pair_of_types_[std::size_t(atom->type[i] * (atom->ntypes + 1))];
-      const double xi[3] = {x[i][0], x[i][1], x[i][2]}, vi[3] = {v[i][0], v[i][1], v[i][2]};
-      const double wi[3] = {w[i][0], w[i][1], w[i][2]}, ri = radius[i];
-      for (int k = 0; k < list->numneigh[i]; ++k) {
-        const int j = list->firstneigh[i][k] & NEIGHMASK;
-        const double branch[3] = {x[j][0] - xi[0], x[j][1] - xi[1], x[j][2] - xi[2]};
-        const double square = branch[0] * branch[0] + branch[1] * branch[1] + branch[2] * branch[2];
-        const double reach = ri + radius[j];
-        double* const history = histories + k * int(Law::state_size);
-        TypePair& pair = *pair_of[atom->type[j]];
+      TypePair* const* const pair_of = &pair_of_types_[std::size_t(type[i] * (atom->ntypes + 1))];
+      const double xi = atoms.x[i][0], yi = atoms.x[i][1], zi = atoms.x[i][2], ri = atoms.radius[i];
+      for (int k = 0; k < neighbours; ++k) {
+        const int j = neighbour[k] & NEIGHMASK;
+        const double* const xj = atoms.x[j];
+        const double dx = xj[0] - xi, dy = xj[1] - yi, dz = xj[2] - zi;
+        const double square = dx * dx + dy * dy + dz * dz, reach = ri + atoms.radius[j];
+        TypePair& pair = *pair_of[type[j]];
+        const Contact contact{i, j, touches + k, histories + k * int(Law::state_size)};
         if constexpr (bridges)
-          if (pair.wet_gap >= 0.0 && square <= (reach + pair.wet_gap) * (reach + pair.wet_gap))
-            touches[k] = wet(history, reach - std::sqrt(square), pair.wet_gap);
-        if (square >= reach * reach && touches[k] == 0) continue;
-
-        ContactBlock<Law>& block = pair.block;
-        const std::size_t c = block.count++;
-        pair.i[c] = i;
-        pair.j[c] = j;
-        pair.touch[c] = touches + k;
-        pair.history[c] = history;
-        for (std::size_t d = 0; d < 3; ++d) {
-          block.branch[d][c] = branch[d];
-          block.velocity[d][c] = v[j][d] - vi[d];
-          block.spin1[d][c] = wi[d];
-          block.spin2[d][c] = w[j][d];
+          if (pair.wet_gap >= 0.0) wet(pair, contact, reach - std::sqrt(square));
+        if (square >= reach * reach && *contact.touch == 0) continue;
+        if constexpr (std::is_same_v<Number, double>) {
+          step(atoms, pair, contact, dt);
+        } else {
+          collect(atoms, pair, contact);
+          if (pair.block.count == pair.block.capacity) step_block<Number>(atoms, pair, dt);
         }
-        block.radius1[c] = ri;
-        block.radius2[c] = radius[j];
-        block.mass[c] = mass_of(i, j);
-        for (std::size_t s = 0; s < Law::state_size; ++s) block.state[s][c] = history[s];
-        if (block.count == block.capacity) step<Number>(pair, dt);
       }
     }
     for (TypePair& pair : pairs_) {
-      if (pair.block.count > 0) step<Number>(pair, dt);
+      if (pair.block.count > 0) step_block<Number>(atoms, pair, dt);
       pair.wet_gap = -1.0;
     }
   }
 
-  /// Wets a new contact, or one that is there; returns 1, "has a history".
-  static int wet(double* history, double overlap, double gap) {
-    typename Law::State state = Law::load(history);
-    Law::make_wet(state, overlap, gap);
-    Law::store(state, history);
-    return 1;
+  void wet(const TypePair& pair, const Contact& contact, double overlap) const {
+    if (-overlap > pair.wet_gap) return;
+    typename Law::State state = Law::load(contact.history);
+    Law::make_wet(state, overlap, pair.wet_gap);
+    Law::store(state, contact.history);
+    *contact.touch = 1;  // it has a history
   }
 
-  /// Steps the contacts collected of a pair of types, and adds their forces.
+  void step(const Atoms& atoms, const TypePair& pair, const Contact& contact, double dt) {
+    const int i = contact.i, j = contact.j;
+    const double ri = atoms.radius[i], rj = atoms.radius[j];
+    const SphereContact<double> spheres = sphere_contact<double>(atoms.x[i], atoms.v[i], atoms.spin[i], ri, atoms.x[j],
+                                                                 atoms.v[j], atoms.spin[j], rj, dt);
+    const auto step = pair.law.step(sphere_sphere_pair<double>(pair.moduli, ri, rj, mass_of(i, j)), spheres.kinematics,
+                                    Law::load(contact.history));
+    store(contact, step.active, [&step] { return step.state; });
+    const Torques<double> turning = torques<double>(spheres, step.force, step.couple);
+    add(atoms, contact, step.force.data(), turning.on1.data(), turning.on2.data(), step.friction_work, step.dashpot_work);
+    if (evflag != 0) tally(pair, contact, step.force.data());
+  }
+
+  void collect(const Atoms& atoms, TypePair& pair, const Contact& contact) {
+    ContactBlock<Law>& block = pair.block;
+    const std::size_t c = block.count++;
+    pair.contacts[c] = contact;
+    const int i = contact.i, j = contact.j;
+    block.mass[c] = mass_of(i, j);
+    block.radius1[c] = atoms.radius[i];
+    block.radius2[c] = atoms.radius[j];
+    const double *xi = atoms.x[i], *xj = atoms.x[j], *vi = atoms.v[i], *vj = atoms.v[j];
+    const double *wi = atoms.spin[i], *wj = atoms.spin[j];
+    for (std::size_t d = 0; d < 3; ++d) {
+      block.branch[d][c] = xj[d] - xi[d];
+      block.velocity[d][c] = vj[d] - vi[d];
+      block.spin1[d][c] = wi[d];
+      block.spin2[d][c] = wj[d];
+    }
+    for (std::size_t s = 0; s < Law::state_size; ++s) block.state[s][c] = contact.history[s];
+  }
+
   template <class Number>
-  void step(TypePair& pair, double dt) {
+  void step_block(const Atoms& atoms, TypePair& pair, double dt) {
     ContactBlock<Law>& block = pair.block;
     block.template step<Number>(pair.law, pair.moduli, dt);
-    double** const f = atom->f;
-    double** const torque = atom->torque;
-    const int nlocal = atom->nlocal, newton = force->newton_pair;
-    for (std::size_t c = 0; c < block.count; ++c) {
-      const int i = pair.i[c], j = pair.j[c];
-      const bool active = block.active[c] != 0.0, owned = newton != 0 || j < nlocal;
-      *pair.touch[c] = active;
-      for (std::size_t s = 0; s < Law::state_size; ++s) pair.history[c][s] = active ? block.state[s][c] : 0.0;
-      for (std::size_t d = 0; d < 3; ++d) {
-        f[i][d] -= block.force[d][c];
-        torque[i][d] += block.torque1[d][c];
-      }
-      if (owned) {
-        for (std::size_t d = 0; d < 3; ++d) {
-          f[j][d] += block.force[d][c];
-          torque[j][d] += block.torque2[d][c];
-        }
-      }
-      const double share = owned ? 1.0 : 0.5;  // the other half is counted where j is owned
-      pvector[0] += share * block.friction_work[c];
-      pvector[1] += share * block.dashpot_work[c];
-      if (evflag != 0) tally(pair, c);
+    const std::size_t count = block.count;
+    for (std::size_t c = 0; c < count; ++c) {
+      const Contact& contact = pair.contacts[c];
+      store(contact, block.active[c] != 0.0, [&block, c] { return block.state_of(c); });
+      const double on_j[3] = {block.force[0][c], block.force[1][c], block.force[2][c]};
+      const double turns_i[3] = {block.torque1[0][c], block.torque1[1][c], block.torque1[2][c]};
+      const double turns_j[3] = {block.torque2[0][c], block.torque2[1][c], block.torque2[2][c]};
+      add(atoms, contact, on_j, turns_i, turns_j, block.friction_work[c], block.dashpot_work[c]);
+      if (evflag != 0) tally(pair, contact, on_j);
     }
     block.count = 0;
   }
 
-  void tally(const TypePair& pair, std::size_t c) {
-    const ContactBlock<Law>& block = pair.block;
-    const double x = block.branch[0][c], y = block.branch[1][c], z = block.branch[2][c];
+  /// The history of a contact after its step; LAMMPS forgets that of one which is not active.
+  template <class State>
+  static void store(const Contact& contact, bool active, const State& state) {
+    *contact.touch = active;
+    Law::store(active ? state() : typename Law::State{}, contact.history);
+  }
+
+  /// Adds a contact's force and torques to its atoms, and its heat to the sums.
+  void add(const Atoms& atoms, const Contact& contact, const double* on_j, const double* turns_i, const double* turns_j,
+           double friction, double dashpots) {
+    const bool both = atoms.newton != 0 || contact.j < atoms.owned;
+    double *const fi = atoms.force[contact.i], *const ti = atoms.torque[contact.i];
+    for (int d = 0; d < 3; ++d) fi[d] -= on_j[d];
+    for (int d = 0; d < 3; ++d) ti[d] += turns_i[d];
+    if (both) {
+      double *const fj = atoms.force[contact.j], *const tj = atoms.torque[contact.j];
+      for (int d = 0; d < 3; ++d) fj[d] += on_j[d];
+      for (int d = 0; d < 3; ++d) tj[d] += turns_j[d];
+    }
+    const double share = both ? 1.0 : 0.5;  // the owner of atom j counts the other half
+    pvector[0] += share * friction;
+    pvector[1] += share * dashpots;
+  }
+
+  /// Adds energy and virial; after the history is stored.
+  void tally(const TypePair& pair, const Contact& contact, const double* on_j) {
+    const int i = contact.i, j = contact.j;
+    const double *xi = atom->x[i], *xj = atom->x[j], ri = atom->radius[i], rj = atom->radius[j];
+    const Vec3<double> branch(xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]);
     double energy = 0.0;
     if (eflag_either != 0)
-      energy = pair.law.stored_energy(
-          sphere_sphere_pair<double>(pair.moduli, block.radius1[c], block.radius2[c], block.mass[c]),
-          block.radius1[c] + block.radius2[c] - std::sqrt(x * x + y * y + z * z), block.state_of(c));
-    ev_tally_xyz(pair.i[c], pair.j[c], atom->nlocal, force->newton_pair, energy, 0.0, block.force[0][c],
-                 block.force[1][c], block.force[2][c], x, y, z);
+      energy = pair.law.stored_energy(sphere_sphere_pair<double>(pair.moduli, ri, rj, mass_of(i, j)),
+                                      ri + rj - norm<double>(branch), Law::load(contact.history));
+    ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, on_j[0], on_j[1], on_j[2], branch[0], branch[1],
+                 branch[2]);
   }
 
   int packs_ = 1;
