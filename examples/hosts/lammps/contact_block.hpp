@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "contactlaws/batch.hpp"
 #include "contactlaws/contactlaws.hpp"
 
 namespace contactlaws {
