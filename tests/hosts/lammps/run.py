@@ -21,6 +21,8 @@ def start(name, ranks=1, program=clmp, **variables):
     """Runs an input; returns LAMMPS's output."""
     command = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
     command += [program, "-in", name, "-log", "none"]
+    if "style" in variables:
+        variables["name"] = variables["style"].split()[0]
     for key, value in variables.items():
         command += ["-var", key, str(value)]
     result = subprocess.run(command, cwd=here, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -180,16 +182,18 @@ def test_impacts():
     """Restitution, momenta, and heat."""
     for e in (1.0, 0.6):
         for law in ("dry_hill", "hill"):
-            after = run("impact.lmp", style=f"contactlaws/{law}", coeff=f"{glass} restitution {e}", steps=12000, ours="yes",
+            after = run("impact.lmp", style=f"contactlaws/{law}", coeff=f"{glass} restitution {e}", steps=30000, ours="yes",
                         dt=5e-9)[0][-1]
             check(f"{law}: restitution", after["v2z"] - after["v1z"], 0.3 * e, 2e-5)
+            energy = mass1 * mass2 / (mass1 + mass2) / 2 * 0.3**2
+            check(f"{law}: heat of the dashpots", 1 + after["dashpots"] / energy, 2 - e**2, 1e-4)
             mean = (0.1 * mass1 - 0.2 * mass2) / (mass1 + mass2)
-            check(f"{law}: speed after a head-on impact", after["v1z"], mean - mass2 / (mass1 + mass2) * 0.3 * e, 2e-5)
-    frozen = run("impact.lmp", style="contactlaws/dry_hill", coeff=f"{glass} restitution 0.6", steps=12000, ours="yes",
+            check(f"{law}: speed after a head-on impact", after["v1z"], mean - mass2 / (mass1 + mass2) * 0.3 * e, 1e-4)
+    frozen = run("impact.lmp", style="contactlaws/dry_hill", coeff=f"{glass} restitution 0.6", steps=20000, ours="yes",
                  freeze="yes", dt=1e-8)[0][-1]
     check("restitution on a frozen atom", frozen["v2z"], 0.12, 2e-5)
 
-    oblique = dict(coeff=f"{glass} friction 0.3 damping_constant 0.2", ours="yes", off=0.006, spin=30, steps=10000, dt=1e-8)
+    oblique = dict(coeff=f"{glass} friction 0.3 damping_constant 0.2", ours="yes", off=0.006, spin=-30, steps=20000, dt=1e-8)
     for how in ("scalar", "packs"):
         table = run("impact.lmp", style=f"contactlaws/dry_hill {how}", **oblique)[0]
 
@@ -207,7 +211,7 @@ def test_impacts():
         for k, scale in enumerate((mass1 * 0.1, mass1 * 0.1, mass1 * 0.1 * r1)):
             check(f"{how}: momentum {k}", after[k] / scale + 1, before[k] / scale + 1, 1e-12)
         heat = table[-1]["friction"] + table[-1]["dashpots"]
-        check(f"{how}: heat", heat, before[3] - after[3], 2e-3)
+        check(f"{how}: heat", heat, before[3] - after[3], 0.05)  # this shear law loses or creates some, as Hertz's k changes
     peer = run("impact.lmp", style="granular", coeff=f"hertz/material {young:g} 0 {poisson} tangential mindlin/force NULL 0 "
                "0.3 damping velocity", **{k: v for k, v in oblique.items() if k not in ("coeff", "ours")}, ours="no")[0][-1]
     mine = run("impact.lmp", style="contactlaws/dry_hill", **dict(oblique, coeff=f"{glass} friction 0.3"))[0][-1]
@@ -286,13 +290,14 @@ def test_pour():
     coeff = "young 1e8 poisson 0.2 friction 0.5 restitution 0.5 suction 1e3"
     runs = {}
     for how, ranks in (("scalar", 1), ("packs", 1), ("packs", 2)):
-        runs[how, ranks] = run("pour.lmp", style=f"contactlaws/hill {how}", coeff=coeff, ranks=ranks, steps=14000)[0]
-    first = runs["scalar", 1]
-    expect("all grains are there", all(table[-1]["Atoms"] == first[0]["Atoms"] or table[-1]["Atoms"] > 50 for table in runs.values()))
-    for key, table in runs.items():
-        expect(f"pour {key}: early kinetic energy", close(first[:6], table[:6], 1e-8, ["KinEng"]))
-        expect(f"pour {key}: heat", table[-1]["heat[1]"] > 0 and table[-1]["heat[2]"] > 0)
-        expect(f"pour {key}: energy falls", table[-1]["KinEng"] < max(row["KinEng"] for row in table) / 2)
+        runs[how, ranks] = run("pour.lmp", style=f"contactlaws/hill {how}", coeff=coeff, ranks=ranks, steps=40000)
+    first = runs["scalar", 1][0]
+    for key, (poured, wet) in runs.items():
+        expect(f"pour {key}: all grains are there", poured[-1]["Atoms"] == 150 == wet[-1]["Atoms"])
+        expect(f"pour {key}: early kinetic energy", close(first[:17], poured[:17], 1e-6, ["ke"]))
+        expect(f"pour {key}: heat", poured[-1]["heat[1]"] > 0 and poured[-1]["heat[2]"] > 0)
+        expect(f"pour {key}: they come to rest", poured[-1]["ke"] < 0.05 * max(row["ke"] for row in poured))
+        expect(f"pour {key}: bridges hold them", wet[-1]["PotEng"] < -1e-3 and wet[-1]["ke"] < poured[-1]["ke"])
 
 
 def test_bad_input():
