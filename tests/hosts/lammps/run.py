@@ -1,0 +1,332 @@
+#!/usr/bin/env python3
+"""The pair styles inside LAMMPS:  run.py CLMP NEGATED
+
+Expected values are closed forms, or come from LAMMPS's own pair styles in the same program.
+"""
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+here = pathlib.Path(__file__).parent
+clmp, negated = (str(pathlib.Path(p).resolve()) for p in sys.argv[1:3])
+scratch = tempfile.TemporaryDirectory()
+environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMP_NUM_THREADS="1")
+checks = failures = 0
+
+
+def start(name, ranks=1, program=clmp, **variables):
+    """Runs an input; returns LAMMPS's output."""
+    command = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+    command += [program, "-in", name, "-log", "none"]
+    if "style" in variables:
+        variables["name"] = variables["style"].split()[0]
+    for key, value in variables.items():
+        command += ["-var", key, str(value)]
+    result = subprocess.run(command, cwd=here, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            text=True, timeout=120, check=False)
+    return result.stdout
+
+
+def run(name, **arguments):
+    """Runs an input; returns its thermo tables, one a `run`, as lists of rows."""
+    output = start(name, **arguments)
+    tables, columns = [], None
+    for line in output.splitlines():
+        words = line.split()
+        if words[:1] == ["Step"]:
+            columns = [word.removeprefix("v_").removeprefix("c_") for word in words]
+            tables.append([])
+        elif line.startswith("Loop time"):
+            columns = None
+        elif columns and len(words) == len(columns) and words[0].isdigit():
+            tables[-1].append(dict(zip(columns, map(float, words))))
+        elif line.startswith("ERROR"):
+            sys.exit(f"{name} {arguments}: {line}")
+    if not tables or not tables[-1]:
+        sys.exit(f"{name} {arguments}: no output:\n{output[-2000:]}")
+    return tables
+
+
+def check(name, got, want, tolerance):
+    """Numbers that differ by at most tolerance times the expected one."""
+    expect(f"{name}: {got:.12g}, expected {want:.12g} within {tolerance:g}", abs(got - want) <= tolerance * abs(want))
+
+
+def expect(sentence, true):
+    global checks, failures
+    checks += 1
+    if not true:
+        failures += 1
+        print("FAILED", sentence)
+
+
+def close(a, b, tolerance, keys=None):
+    """Whether two tables agree within tolerance of the largest value of each column."""
+    for key in keys or a[0]:
+        size = max(abs(row[key]) for row in a)
+        if any(abs(p[key] - q[key]) > tolerance * size for p, q in zip(a, b)):
+            return False
+    return len(a) == len(b)
+
+
+# The pair of spheres of two.lmp.
+young, poisson, density = 29e9, 0.15, 2650.0
+r1, r2 = 0.0075, 0.005
+effective_radius = r1 * r2 / (r1 + r2)
+e_star = young / (2 * (1 - poisson**2))
+g_star = young / (4 * (1 + poisson) * (2 - poisson))
+mass1, mass2 = (density * 4 / 3 * math.pi * r**3 for r in (r1, r2))
+glass = f"young {young:g} poisson {poisson}"
+
+
+def hertz(overlap, modulus=e_star):
+    return 4 / 3 * modulus * math.sqrt(effective_radius) * overlap**1.5
+
+
+def mindlin(overlap):
+    return 8 * g_star * math.sqrt(effective_radius * overlap)
+
+
+def distance(row):
+    return math.sqrt(row["dx"]**2 + row["dy"]**2 + row["dz"]**2)
+
+
+def normal_force(row):
+    return (row["fx"] * row["dx"] + row["fy"] * row["dy"] + row["fz"] * row["dz"]) / distance(row)
+
+
+def shear_force(row):
+    square = row["fx"]**2 + row["fy"]**2 + row["fz"]**2 - normal_force(row)**2
+    return math.sqrt(max(square, 0.0))
+
+
+def test_four_histories():
+    """99 um of shear at an overlap of 0.1 mm, then back to 0.05 mm and on to 0.1 mm: the table of four shear histories."""
+    full = mindlin(1e-4) * 99e-6
+    half, root = 0.5, math.sqrt(0.5)
+    kn, kt = 4 / 3 * e_star, 8 * g_star
+    rows = [("dry_hill", "mindlin/force", 1, 1), ("dry_hill/rescaled", "mindlin_rescale/force", root, root),
+            ("dry_hill/displacement", "mindlin", root, 1), ("dry_hill/displacement_rescaled", "mindlin_rescale", half, root)]
+    for law, theirs, backed_off, again in rows:
+        granular = run("path.lmp", style="granular",
+                       coeff=f"hertz/material {young:g} 0 {poisson} tangential {theirs} NULL 0 10 damping velocity")
+        for how in ("scalar", "packs"):
+            ours = run("path.lmp", style=f"contactlaws/{law} {how}", coeff=f"{glass} friction 10")
+            for part, factor, back in zip(range(4), (0, 1, backed_off, again), (0, 0, 5e-5, 0)):
+                mine, peer = ours[part][-1], granular[part][-1]
+                name = f"{law} {how}, part {part}"
+                check(f"{name}: normal force", normal_force(mine), hertz(1e-4 - back), 1e-7)
+                check(f"{name}: normal force of LAMMPS", normal_force(mine), normal_force(peer), 1e-9)
+                if factor:
+                    check(f"{name}: shear force", shear_force(mine), factor * full, 1e-7)
+                    check(f"{name}: shear force of LAMMPS", shear_force(mine), shear_force(peer), 1e-8)
+    old = run("path.lmp", style=f"gran/hertz/history {kn} {kt} 0 0 10 0", coeff="")
+    for part in range(1, 4):
+        same = run("path.lmp", style="contactlaws/dry_hill/displacement", coeff=f"{glass} friction 10")[part][-1]
+        check("gran/hertz/history", shear_force(same), shear_force(old[part][-1]), 1e-8)
+    for law in ("dry_hill", "dry_hill/displacement"):
+        slid = run("path.lmp", style=f"contactlaws/{law}", coeff=f"{glass} friction 0.4")[1][-1]
+        check(f"{law}: slip", shear_force(slid), 0.4 * hertz(1e-4), 1e-7)
+
+
+def test_ranks():
+    """A contact that is split between two ranks and changes its owner: as on one rank, to the last digit."""
+    for law, more, wet in (("dry_hill", "friction 0.4 damping_constant 0.1", "no"),
+                           ("dry_hill/rescaled", "friction 0.4", "no"), ("hill", "friction 0.4 suction 1e6", "yes"),
+                           ("rough_ballast", "friction 0.4 fractal_dimension 2.2 roughness 1e-6", "no")):
+        for newton in ("on", "off"):
+            one, two = (run("split.lmp", ranks=ranks, px=ranks, newton=newton, wet=wet, style=f"contactlaws/{law}",
+                            coeff=f"{glass} {more}") for ranks in (1, 2))
+            keys = [k for k in one[0][0] if k not in ("PotEng", "Pxx", "Pyy", "Pzz", "Pxz")]
+            expect(f"{law} newton {newton}: two ranks as one", close(one[1], two[1], 0.0, keys))
+            expect(f"{law} newton {newton}: energy and pressure", close(one[1], two[1], 1e-12, ["PotEng", "Pxx", "Pyy", "Pzz"]))
+            expect(f"{law} newton {newton}: action and reaction", all(
+                row["fx"] == -row["f1x"] and row["fy"] == -row["f1y"] and row["fz"] == -row["f1z"] for row in two[1]))
+            expect(f"{law} newton {newton}: shears", shear_force(two[1][-1]) > 1)
+
+
+def bridge_is_right(tables, suction):
+    """The pull of a bridge of the memo: psi pi R_o^2 exp(-g / 2 R_o) to a gap of 2 R_o, and none thereafter."""
+    largest = suction * math.pi * r2**2
+    pulled, pushed = tables[1], tables[2]
+    for row, wet in [(r, True) for r in pulled] + [(r, False) for r in pushed]:
+        gap = distance(row) - r1 - r2
+        wet = wet and gap < 2 * r2
+        want = largest * math.exp(-max(gap, 0) / (2 * r2)) if wet else 0.0
+        if gap < 0:
+            want -= hertz(-gap)
+        if abs(-normal_force(row) - want) > 1e-6 * max(largest, abs(want)):
+            return False
+        if (row["fx"], row["fy"], row["fz"]) != (-row["f1x"], -row["f1y"], -row["f1z"]):
+            return False
+    return distance(pulled[-1]) > r1 + 3 * r2 and distance(pushed[-1]) < r1 + r2
+
+
+def test_bridge():
+    """From touch to rupture and back, with a skin below and above the range of the bridge."""
+    wet = dict(coeff=f"{glass} friction 0.4 suction 1e6")
+    for skin in (1e-3, 12e-3):
+        for ranks, newton in ((1, "on"), (2, "on"), (2, "off")):
+            tables = run("bridge.lmp", style="contactlaws/hill", ranks=ranks, px=ranks, newton=newton, skin=skin, **wet)
+            expect(f"bridge, skin {skin}, {ranks} ranks, newton {newton}", bridge_is_right(tables, 1e6))
+    one = run("bridge.lmp", program=negated, style="contactlaws/hill/negated", **wet)
+    expect("negated transfer: right on one rank", bridge_is_right(one, 1e6))
+    two = run("bridge.lmp", program=negated, style="contactlaws/hill/negated", ranks=2, px=2, newton="off", **wet)
+    expect("LAMMPS's negated transfer must fail this test", not bridge_is_right(two, 1e6))
+
+
+def test_impacts():
+    """Restitution, momenta, and heat."""
+    for e in (1.0, 0.6):
+        for law in ("dry_hill", "hill"):
+            after = run("impact.lmp", style=f"contactlaws/{law}", coeff=f"{glass} restitution {e}", steps=30000, ours="yes",
+                        dt=5e-9)[0][-1]
+            check(f"{law}: restitution", after["v2z"] - after["v1z"], 0.3 * e, 2e-5)
+            energy = mass1 * mass2 / (mass1 + mass2) / 2 * 0.3**2
+            check(f"{law}: heat of the dashpots", 1 + after["dashpots"] / energy, 2 - e**2, 1e-4)
+            mean = (0.1 * mass1 - 0.2 * mass2) / (mass1 + mass2)
+            check(f"{law}: speed after a head-on impact", after["v1z"], mean - mass2 / (mass1 + mass2) * 0.3 * e, 1e-4)
+    frozen = run("impact.lmp", style="contactlaws/dry_hill", coeff=f"{glass} restitution 0.6", steps=20000, ours="yes",
+                 freeze="yes", dt=1e-8)[0][-1]
+    check("restitution on a frozen atom", frozen["v2z"], 0.12, 2e-5)
+
+    oblique = dict(coeff=f"{glass} friction 0.3 damping_constant 0.2", ours="yes", off=0.006, spin=-30, steps=20000, dt=1e-8)
+    for how in ("scalar", "packs"):
+        table = run("impact.lmp", style=f"contactlaws/dry_hill {how}", **oblique)[0]
+
+        def motion(row):
+            x2, z2 = row["x1"] + row["dx"], row["z1"] + row["dz"]
+            spin1, spin2 = (0.4 * m * r * r * row[w] for m, r, w in ((mass1, r1, "w1"), (mass2, r2, "w2")))
+            orbit = mass1 * (row["z1"] * row["v1x"] - row["x1"] * row["v1z"]) + mass2 * (z2 * row["v2x"] - x2 * row["v2z"])
+            energy = (mass1 * (row["v1x"]**2 + row["v1z"]**2) + mass2 * (row["v2x"]**2 + row["v2z"]**2) +
+                      spin1 * row["w1"] + spin2 * row["w2"]) / 2
+            return (mass1 * row["v1x"] + mass2 * row["v2x"], mass1 * row["v1z"] + mass2 * row["v2z"],
+                    orbit + spin1 + spin2, energy)
+
+        before, after = motion(table[0]), motion(table[-1])
+        expect(f"{how}: off-centre impact turns the spheres", abs(table[-1]["w1"]) > 1)
+        for k, scale in enumerate((mass1 * 0.1, mass1 * 0.1, mass1 * 0.1 * r1)):
+            check(f"{how}: momentum {k}", after[k] / scale + 1, before[k] / scale + 1, 1e-12)
+        heat = table[-1]["friction"] + table[-1]["dashpots"]
+        check(f"{how}: heat", heat, before[3] - after[3], 0.05)  # this shear law loses or creates some, as Hertz's k changes
+    peer = run("impact.lmp", style="granular", coeff=f"hertz/material {young:g} 0 {poisson} tangential mindlin/force NULL 0 "
+               "0.3 damping velocity", **{k: v for k, v in oblique.items() if k not in ("coeff", "ours")}, ours="no")[0][-1]
+    mine = run("impact.lmp", style="contactlaws/dry_hill", **dict(oblique, coeff=f"{glass} friction 0.3"))[0][-1]
+    for key in ("v1x", "v1z", "v2x", "v2z", "w1", "w2"):  # their spin acts at R, ours at R - o/2
+        check(f"off-centre impact beside LAMMPS: {key}", mine[key], peer[key], 1e-3)
+
+
+def test_still():
+    """Set-up passes and queries change nothing; energy, pressure and pair/local are those of the closed forms."""
+    mixed = 1 / ((1 - poisson**2) / young + (1 - 0.22**2) / 70e9)
+    for how, types, modulus in (("scalar", 1, e_star), ("packs", 1, e_star), ("packs", 2, mixed)):
+        name = f"still {how}, {types} types"
+        tables = run("still.lmp", style=f"contactlaws/dry_hill {how}", coeff=f"{glass} friction 10", types=types)
+        first, last = tables[0][-1], tables[-1][-1]
+        for key in ("fx", "fz", "PotEng"):
+            check(f"{name}: {key} after set-up passes", last[key], first[key], 1e-12)
+        overlap = r1 + r2 - distance(last)
+        force, shear = normal_force(last), shear_force(last)
+        check(f"{name}: normal force", force, hertz(overlap, modulus), 1e-9)
+        check(f"{name}: pair/local normal force", last["queried[1]"], force, 1e-12)
+        check(f"{name}: pair/local shear force", last["queried[5]"], shear, 1e-9)
+        check(f"{name}: pair/local F_n", last["queried[6]"], force, 1e-12)
+        check(f"{name}: pair/local shear vector", last["queried[2]"]**2 + last["queried[4]"]**2, shear**2, 1e-9)
+        check(f"{name}: virial zz", last["Pzz"] * last["Volume"], last["dz"] * last["fz"], 1e-12)
+        check(f"{name}: virial xz", last["Pxz"] * last["Volume"], last["dx"] * last["fz"], 1e-9)
+        if types == 1:
+            check(f"{name}: energy", last["PotEng"], 0.4 * force * overlap + shear**2 / (2 * mindlin(overlap)), 1e-9)
+
+
+def test_restart():
+    """From a restart file at any step, on one rank and two, the run goes on as if it had not stopped."""
+    keys = ("dx", "dy", "dz", "fx", "fy", "fz")
+    for law, more in (("hill", "suction 1e5"), ("hill scalar", "suction 1e5")):
+        for ranks in (1, 2):
+            file = f"{scratch.name}/restart"
+            style = dict(style=f"contactlaws/{law}", coeff=f"{glass} friction 0.4 {more}")
+            rows = {row["Step"]: row for table in run("restart.lmp", ranks=ranks, px=ranks, file=file, **style) for row in table}
+            for step in (200, 300, 301):
+                for other in (1, 2):
+                    again = [row for row in run("restarted.lmp", ranks=other, px=other, file=f"{file}.{step}")[0]
+                             if row["Step"] in rows]
+                    expect(f"restart of {law} at {step}, {ranks} to {other} ranks",
+                           len(again) > 20 and close([rows[row["Step"]] for row in again], again, 1e-9, keys))
+
+
+def test_rattle():
+    """A rough contact that opens meets fresh surfaces when it closes."""
+    dimension, roughness = 2.2, 2e-5
+    beta = 0.2567 * dimension
+    p = 2 / (3 * (1 - beta))
+    depth_c = roughness * 0.75 * math.sqrt(math.pi) * (20 / (math.pi**1.5 * dimension))**(1 / beta)
+
+    def depth(overlap):
+        x = overlap / (p * depth_c)
+        return depth_c * x**p if x < 1 else depth_c + overlap - p * depth_c
+
+    for how in ("scalar", "packs"):
+        tables = run("rattle.lmp", style=f"contactlaws/rough_ballast {how}",
+                     coeff=f"{glass} friction 0.4 fractal_dimension {dimension} roughness {roughness}")
+        virgin, largest, unloaded, _, again = (r1 + r2 - distance(table[-1]) for table in tables)
+        for part, d in ((0, depth(virgin)), (1, depth(largest)), (2, depth(largest) - (largest - unloaded)), (4, depth(again))):
+            check(f"rough contact {how}, part {part}", normal_force(tables[part][-1]), hertz(d), 1e-8)
+        expect("an open rough contact has no force", tables[3][-1]["fz"] == 0.0)
+
+
+def test_rigid():
+    """The effective mass is that of the rigid body."""
+    for ranks in (1, 2):
+        after = run("rigid.lmp", ranks=ranks, pz=ranks, style="contactlaws/dry_hill", coeff=f"{glass} restitution 0.6")[0][-1]
+        check(f"restitution on a rigid body, {ranks} ranks", after["vs"] - after["vb"], 0.12, 1e-3)
+        check(f"momentum beside a rigid body, {ranks} ranks", after["vs"] + 2 * after["vb"], -0.2, 1e-9)
+
+
+def test_pour():
+    """Wet grains poured, on balanced ranks: none is lost, they come to rest, and early steps agree to rounding."""
+    coeff = "young 1e8 poisson 0.2 friction 0.5 restitution 0.5 suction 1e3"
+    runs = {}
+    for how, ranks in (("scalar", 1), ("packs", 1), ("packs", 2)):
+        runs[how, ranks] = run("pour.lmp", style=f"contactlaws/hill {how}", coeff=coeff, ranks=ranks, steps=40000)
+    first = runs["scalar", 1][0]
+    for key, (poured, wet) in runs.items():
+        expect(f"pour {key}: all grains are there", poured[-1]["Atoms"] == 150 == wet[-1]["Atoms"])
+        expect(f"pour {key}: early kinetic energy", close(first[:17], poured[:17], 1e-6, ["ke"]))
+        expect(f"pour {key}: heat", poured[-1]["heat[1]"] > 0 and poured[-1]["heat[2]"] > 0)
+        expect(f"pour {key}: they come to rest", poured[-1]["ke"] < 0.05 * max(row["ke"] for row in poured))
+        expect(f"pour {key}: bridges hold them", wet[-1]["PotEng"] < -1e-3 and wet[-1]["ke"] < poured[-1]["ke"])
+
+
+def test_bad_input():
+    """LAMMPS's own error, naming what is wrong."""
+    good = dict(style="contactlaws/hill", coeff=f"{glass} friction 0.4")
+    for change, message in (
+            (dict(style="contactlaws/hil"), "Unrecognized pair style 'contactlaws/hil'"),
+            (dict(style="contactlaws/hill fast"), "packs or scalar, not 'fast'"),
+            (dict(coeff=f"{glass} frction 0.4"), "no parameter 'frction'; there are: "),
+            (dict(coeff=f"{glass} friction"), "pairs of a name and a value"),
+            (dict(coeff=f"{glass} friction -0.4"), "friction is -0.4, must lie in [0, inf)"),
+            (dict(coeff="young -1 poisson 0.2"), "young is -1 Pa, must lie in (0, inf)"),
+            (dict(coeff="young 0 poisson 0.2"), "young is 0 Pa, must lie in (0, inf)"),
+            (dict(coeff="young 1e9 poisson 0.7"), "poisson is 0.7, must lie in (-1, 0.5]"),
+            (dict(coeff=f"{glass} restitution 1.2"), "restitution"),
+            (dict(coeff=f"{glass} wet -1"), "wet is -1 m, must lie in [0, inf)"),
+            (dict(style="contactlaws/dry_hill", coeff=f"{glass} wet 0"), "no parameter 'wet'"),
+            (dict(vel="no"), "comm_modify vel yes")):
+        output = start("still.lmp", **dict(good, **change))
+        expect(f"{change}: error '{message}' in: {[l for l in output.splitlines() if 'ERROR' in l]}",
+               any("ERROR" in line and message in line for line in output.splitlines()))
+    output = start("no_radius.lmp")
+    expect("atoms without radius", "atom_style sphere" in output and "ERROR" in output)
+
+
+if __name__ == "__main__":
+    chosen = sys.argv[3:]
+    for name, test in list(globals().items()):
+        if name.startswith("test_") and (not chosen or name[5:] in chosen):
+            test()
+    print(f"{checks - failures} of {checks} checks passed")
+    sys.exit(failures > 0)
