@@ -3,7 +3,7 @@
 #
 # --all: what must pass before a change goes in. Also the examples' code, lints, each header alone, the fuzz corpus, packs as
 # wide as this machine has them, consumers' projects, and the sanitizers of a second compiler.
-# --hosts: the adapters of examples/hosts, each inside its host, and nothing else.
+# --hosts: the adapters of examples/hosts, each inside its host, and nothing else; 77 where a host cannot be had here.
 set -eu
 cd "$(dirname "$0")/.."
 all=OFF
@@ -20,11 +20,12 @@ esac
 # shellcheck source=cmake/install_packages.sh
 . cmake/install_packages.sh
 if [ "${1:-}" = --hosts ]; then
-  install_packages lammps liblammps-dev mpi-default-bin mpi-default-dev g++ python3 libeigen3-dev libxsimd-dev
-  code=0
-  sh tests/hosts/lammps.sh build/hosts/lammps || code=$?
-  if [ $code -eq 77 ]; then code=0; fi  # skipped, and it said why
-  exit $code
+  if ! (install_packages lammps liblammps-dev mpi-default-bin mpi-default-dev g++ python3 libeigen3-dev libxsimd-dev); then
+    echo 'LAMMPS: skipped, its packages cannot be installed here'
+    exit 77
+  fi
+  sh tests/hosts/lammps.sh build/hosts/lammps
+  exit
 fi
 install_packages g++ make cmake pkg-config python3 python3-mpmath libeigen3-dev catch2 'libboost1.81-dev|libboost-dev' \
   libxsimd-dev nlohmann-json3-dev
