@@ -22,7 +22,7 @@ struct ContactBlock {
   Vectors velocity;                           ///< v2 - v1 [m/s]
   Vectors spin1, spin2;                       ///< [rad/s]
   Column radius1, radius2;                    ///< [m]
-  Column mass;                                ///< effective mass [kg]
+  Column mass1, mass2;                        ///< [kg]
   std::array<Column, Law::state_size> state;  ///< before and after the step
   Vectors force;                              ///< on body 2 [N]
   Vectors torque1, torque2;                   ///< about the centres [N m]
@@ -48,7 +48,8 @@ struct ContactBlock {
       const Pack w1[3] = {column(spin1[0]), column(spin1[1]), column(spin1[2])};
       const Pack w2[3] = {column(spin2[0]), column(spin2[1]), column(spin2[2])};
       return Input{sphere_contact<Pack>(origin, origin, w1, r1, x, v, w2, r2, Pack(dt)),
-                   sphere_sphere_pair<Pack>({Pack(moduli.young), Pack(moduli.shear)}, r1, r2, column(mass))};
+                   sphere_sphere_pair<Pack>({Pack(moduli.young), Pack(moduli.shear)}, r1, r2,
+                                            effective_mass<Pack>(column(mass1), column(mass2)))};
     };
     const auto scatter = [&](const auto& range, const Input& input, const auto& step) {
       const auto store = [&range](Vectors& columns, const Vec3<Pack>& v) {

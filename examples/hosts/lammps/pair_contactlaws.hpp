@@ -57,8 +57,11 @@ class PairContactLaws : public LAMMPS_NS::Pair {
 
   struct Atoms {
     double **x, **v, **spin, **force, **torque;
-    const double* radius;
+    const double *radius, *mass;
     int owned, newton;
+  };
+  struct Heat {
+    double friction, dashpots;  ///< [J]
   };
   struct Contact {
     int i, j;         ///< atoms: bodies 1 and 2
@@ -121,22 +124,27 @@ class PairContactLaws : public LAMMPS_NS::Pair {
         for (int k = 2; k < count; k += 2) {
           const std::string name = words[k];
           const double value = LAMMPS_NS::utils::numeric(FLERR, words[k + 1], false, lmp);
-          or_fail([&] {
-            if (name == "young" || name == "poisson") {
-              if (i_low != j_low || i_high != j_high) reject(name + " is that of a type: give it where I and J are the same");
-              set_parameter(materials_[std::size_t(i)], name, value);
-            } else {
-              set(of_types(i, j), name, value);
-            }
-          });
+          or_fail(
+              [&] {
+                if (name == "young" || name == "poisson") {
+                  if (i_low != j_low || i_high != j_high)
+                    reject(name + " is that of a type: give it where I and J are the same");
+                  set_parameter(materials_[std::size_t(i)], name, value);
+                } else {
+                  set(of_types(i, j), name, value);
+                }
+              },
+              i, j);
         }
-        or_fail([&] { of_types(i, j).law = make_law(of_types(i, j).parameters); });
+        or_fail([&] { of_types(i, j).law = make_law(of_types(i, j).parameters); }, i, j);
         setflag[i][j] = 1;
         any = true;
       }
-      or_fail([&] {
-        if (materials_[std::size_t(i)].young != 0.0) checked(materials_[std::size_t(i)]);
-      });
+      or_fail(
+          [&] {
+            if (materials_[std::size_t(i)].young != 0.0) checked(materials_[std::size_t(i)]);
+          },
+          i, i);
     }
     if (!any) fail("pair_coeff names no pair of types: give I <= J");
   }
@@ -173,7 +181,7 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   double init_one(int i, int j) override {
     if (setflag[i][j] == 0) fail("no pair_coeff of types " + std::to_string(i) + " " + std::to_string(j));
     TypePair& pair = of_types(i, j);
-    or_fail([&] { pair.moduli = effective_moduli(materials_[std::size_t(i)], materials_[std::size_t(j)]); });
+    or_fail([&] { pair.moduli = effective_moduli(materials_[std::size_t(i)], materials_[std::size_t(j)]); }, i, j);
     const double r1 = largest_radii_[std::size_t(i)], r2 = largest_radii_[std::size_t(j)];
     if (r1 == 0.0 || r2 == 0.0) return r1 + r2;
     return r1 + r2 + pair.law.interaction_range(sphere_sphere_pair<double>(pair.moduli, r1, r2, 1.0));
@@ -202,8 +210,7 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     const SphereContact<double> contact =
         sphere_contact<double>(atom->x[i], atom->v[i], atom->omega[i], atom->radius[i], atom->x[j], atom->v[j],
                                atom->omega[j], atom->radius[j], 0.0);
-    const PairProperties<double> pair =
-        sphere_sphere_pair<double>(types.moduli, atom->radius[i], atom->radius[j], mass_of(i, j));
+    const PairProperties<double> pair = properties_of(types, masses(), i, j);
     const auto step = types.law.step(pair, contact.kinematics, Law::load(values));
     for (int k = 0; k < 3; ++k) svector[k] = -step.shear_force[k];
     svector[3] = norm<double>(step.shear_force);
@@ -225,6 +232,7 @@ class PairContactLaws : public LAMMPS_NS::Pair {
       for (int j = i; j <= atom->ntypes; ++j) {
         std::fwrite(&setflag[i][j], sizeof(int), 1, file);
         std::fwrite(&of_types(i, j).parameters, sizeof(Parameters), 1, file);
+        std::fwrite(&of_types(i, j).wet_gap, sizeof(double), 1, file);
       }
   }
   void read_restart(FILE* file) override {
@@ -237,7 +245,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
         TypePair& pair = of_types(i, j);
         read(file, &setflag[i][j], sizeof(int));
         read(file, static_cast<void*>(&pair.parameters), sizeof(Parameters));
-        if (setflag[i][j] != 0) or_fail([&] { pair.law = make_law(pair.parameters); });
+        read(file, &pair.wet_gap, sizeof(double));
+        if (setflag[i][j] != 0) or_fail([&] { pair.law = make_law(pair.parameters); }, i, j);
       }
   }
 
@@ -257,13 +266,13 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     error->all(FLERR, std::string("Pair style contactlaws: ") + message);
     std::abort();
   }
-  /// The library's complaint becomes LAMMPS's error.
+  /// The library's complaint about a pair of types becomes LAMMPS's error.
   template <class Action>
-  void or_fail(const Action& action) const {
+  void or_fail(const Action& action, int i, int j) const {
     try {
       action();
     } catch (const std::invalid_argument& complaint) {
-      fail(complaint.what());
+      fail("types " + std::to_string(i) + " " + std::to_string(j) + ": " + complaint.what());
     }
   }
 
@@ -332,13 +341,23 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     comm->forward_comm_pair(this);
   }
 
-  /// Effective mass; a frozen atom counts as held in space.
-  double mass_of(int i, int j) const {
-    const double* mass = rigid_ == nullptr ? atom->rmass : body_masses_.data();
-    if ((atom->mask[i] & frozen_) != 0) return mass[j];
-    if ((atom->mask[j] & frozen_) != 0) return mass[i];
-    return effective_mass<double>(mass[i], mass[j]);
+  /// Masses of a contact's bodies. Beside a frozen atom both count as twice the other's, so that m* is the other's mass.
+  struct Masses {
+    double m1, m2;
+  };
+  Masses masses_of(const double* mass, int i, int j) const {
+    if (frozen_ != 0) {
+      if ((atom->mask[i] & frozen_) != 0) return {2.0 * mass[j], 2.0 * mass[j]};
+      if ((atom->mask[j] & frozen_) != 0) return {2.0 * mass[i], 2.0 * mass[i]};
+    }
+    return {mass[i], mass[j]};
   }
+  PairProperties<double> properties_of(const TypePair& pair, const double* mass, int i, int j) const {
+    const Masses masses = masses_of(mass, i, j);
+    return sphere_sphere_pair<double>(pair.moduli, atom->radius[i], atom->radius[j],
+                                      effective_mass<double>(masses.m1, masses.m2));
+  }
+  const double* masses() const { return rigid_ == nullptr ? atom->rmass : body_masses_.data(); }
 
   /// History of atom j in the list of atom i, or null.
   const double* find_history(int i, int j) const {
@@ -352,8 +371,10 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   template <class Number>
   void step_all() {
     const double dt = update->setupflag != 0 ? 0.0 : update->dt;
-    const Atoms atoms{atom->x, atom->v, atom->omega, atom->f, atom->torque, atom->radius, atom->nlocal, force->newton_pair};
+    const Atoms atoms{atom->x,      atom->v,  atom->omega,  atom->f,           atom->torque,
+                      atom->radius, masses(), atom->nlocal, force->newton_pair};
     const int* const type = atom->type;
+    Heat heat{0.0, 0.0};
     for (int n = 0; n < list->inum; ++n) {
       const int i = list->ilist[n], neighbours = list->numneigh[i];
       const int* const neighbour = list->firstneigh[i];
@@ -372,17 +393,19 @@ class PairContactLaws : public LAMMPS_NS::Pair {
           if (pair.wet_gap >= 0.0) wet(pair, contact, reach - std::sqrt(square));
         if (square >= reach * reach && *contact.touch == 0) continue;
         if constexpr (std::is_same_v<Number, double>) {
-          step(atoms, pair, contact, dt);
+          step(atoms, pair, contact, dt, heat);
         } else {
           collect(atoms, pair, contact);
-          if (pair.block.count == pair.block.capacity) step_block<Number>(atoms, pair, dt);
+          if (pair.block.count == pair.block.capacity) step_block<Number>(atoms, pair, dt, heat);
         }
       }
     }
     for (TypePair& pair : pairs_) {
-      if (pair.block.count > 0) step_block<Number>(atoms, pair, dt);
+      if (pair.block.count > 0) step_block<Number>(atoms, pair, dt, heat);
       pair.wet_gap = -1.0;
     }
+    pvector[0] += heat.friction;
+    pvector[1] += heat.dashpots;
   }
 
   void wet(const TypePair& pair, const Contact& contact, double overlap) const {
@@ -393,25 +416,29 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     *contact.touch = 1;  // it has a history
   }
 
-  void step(const Atoms& atoms, const TypePair& pair, const Contact& contact, double dt) {
+  CONTACTLAWS_INLINE void step(const Atoms& atoms, const TypePair& pair, const Contact& contact, double dt,
+                               Heat& heat) {
     const int i = contact.i, j = contact.j;
     const double ri = atoms.radius[i], rj = atoms.radius[j];
     const SphereContact<double> spheres = sphere_contact<double>(atoms.x[i], atoms.v[i], atoms.spin[i], ri, atoms.x[j],
                                                                  atoms.v[j], atoms.spin[j], rj, dt);
-    const auto step = pair.law.step(sphere_sphere_pair<double>(pair.moduli, ri, rj, mass_of(i, j)), spheres.kinematics,
-                                    Law::load(contact.history));
+    const auto step =
+        pair.law.step(properties_of(pair, atoms.mass, i, j), spheres.kinematics, Law::load(contact.history));
     store(contact, step.active, [&step] { return step.state; });
     const Torques<double> turning = torques<double>(spheres, step.force, step.couple);
-    add(atoms, contact, step.force.data(), turning.on1.data(), turning.on2.data(), step.friction_work, step.dashpot_work);
+    add(atoms, contact, step.force.data(), turning.on1.data(), turning.on2.data(), step.friction_work,
+        step.dashpot_work, heat);
     if (evflag != 0) tally(pair, contact, step.force.data());
   }
 
-  void collect(const Atoms& atoms, TypePair& pair, const Contact& contact) {
+  CONTACTLAWS_INLINE void collect(const Atoms& atoms, TypePair& pair, const Contact& contact) {
     ContactBlock<Law>& block = pair.block;
     const std::size_t c = block.count++;
     pair.contacts[c] = contact;
     const int i = contact.i, j = contact.j;
-    block.mass[c] = mass_of(i, j);
+    const Masses masses = masses_of(atoms.mass, i, j);
+    block.mass1[c] = masses.m1;
+    block.mass2[c] = masses.m2;
     block.radius1[c] = atoms.radius[i];
     block.radius2[c] = atoms.radius[j];
     const double *xi = atoms.x[i], *xj = atoms.x[j], *vi = atoms.v[i], *vj = atoms.v[j];
@@ -426,20 +453,22 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   }
 
   template <class Number>
-  void step_block(const Atoms& atoms, TypePair& pair, double dt) {
+  void step_block(const Atoms& atoms, TypePair& pair, double dt, Heat& total) {
     ContactBlock<Law>& block = pair.block;
     block.template step<Number>(pair.law, pair.moduli, dt);
     const std::size_t count = block.count;
+    Heat heat = total;
     for (std::size_t c = 0; c < count; ++c) {
       const Contact& contact = pair.contacts[c];
       store(contact, block.active[c] != 0.0, [&block, c] { return block.state_of(c); });
       const double on_j[3] = {block.force[0][c], block.force[1][c], block.force[2][c]};
       const double turns_i[3] = {block.torque1[0][c], block.torque1[1][c], block.torque1[2][c]};
       const double turns_j[3] = {block.torque2[0][c], block.torque2[1][c], block.torque2[2][c]};
-      add(atoms, contact, on_j, turns_i, turns_j, block.friction_work[c], block.dashpot_work[c]);
+      add(atoms, contact, on_j, turns_i, turns_j, block.friction_work[c], block.dashpot_work[c], heat);
       if (evflag != 0) tally(pair, contact, on_j);
     }
     block.count = 0;
+    total = heat;
   }
 
   /// The history of a contact after its step; LAMMPS forgets that of one which is not active.
@@ -450,8 +479,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   }
 
   /// Adds a contact's force and torques to its atoms, and its heat to the sums.
-  void add(const Atoms& atoms, const Contact& contact, const double* on_j, const double* turns_i, const double* turns_j,
-           double friction, double dashpots) {
+  CONTACTLAWS_INLINE void add(const Atoms& atoms, const Contact& contact, const double* on_j, const double* turns_i,
+                              const double* turns_j, double friction, double dashpots, Heat& heat) {
     const bool both = atoms.newton != 0 || contact.j < atoms.owned;
     double *const fi = atoms.force[contact.i], *const ti = atoms.torque[contact.i];
     for (int d = 0; d < 3; ++d) fi[d] -= on_j[d];
@@ -462,8 +491,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
       for (int d = 0; d < 3; ++d) tj[d] += turns_j[d];
     }
     const double share = both ? 1.0 : 0.5;  // the owner of atom j counts the other half
-    pvector[0] += share * friction;
-    pvector[1] += share * dashpots;
+    heat.friction += share * friction;
+    heat.dashpots += share * dashpots;
   }
 
   /// Adds energy and virial; after the history is stored.
@@ -473,8 +502,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     const Vec3<double> branch(xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]);
     double energy = 0.0;
     if (eflag_either != 0)
-      energy = pair.law.stored_energy(sphere_sphere_pair<double>(pair.moduli, ri, rj, mass_of(i, j)),
-                                      ri + rj - norm<double>(branch), Law::load(contact.history));
+      energy = pair.law.stored_energy(properties_of(pair, masses(), i, j), ri + rj - norm<double>(branch),
+                                      Law::load(contact.history));
     ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, on_j[0], on_j[1], on_j[2], branch[0], branch[1],
                  branch[2]);
   }

@@ -12,7 +12,9 @@ namespace {
 using namespace contactlaws;
 
 struct Negated : PairContactLaws<Hill<double>> {
-  explicit Negated(LAMMPS_NS::LAMMPS* lammps) : PairContactLaws<Hill<double>>(lammps) { nondefault_history_transfer = 0; }
+  explicit Negated(LAMMPS_NS::LAMMPS* lammps) : PairContactLaws<Hill<double>>(lammps) {
+    nondefault_history_transfer = 0;
+  }
 };
 LAMMPS_NS::Pair* create(LAMMPS_NS::LAMMPS* lammps) { return new Negated(lammps); }
 

@@ -113,7 +113,7 @@ def test_four_histories():
     for law, theirs, backed_off, again in rows:
         granular = run("path.lmp", style="granular",
                        coeff=f"hertz/material {young:g} 0 {poisson} tangential {theirs} NULL 0 10 damping velocity")
-        for how in ("scalar", "packs"):
+        for how in ("scalar", "packs") if law == "dry_hill" else ("packs",):
             ours = run("path.lmp", style=f"contactlaws/{law} {how}", coeff=f"{glass} friction 10")
             for part, factor, back in zip(range(4), (0, 1, backed_off, again), (0, 0, 5e-5, 0)):
                 mine, peer = ours[part][-1], granular[part][-1]
@@ -123,10 +123,10 @@ def test_four_histories():
                 if factor:
                     check(f"{name}: shear force", shear_force(mine), factor * full, 1e-7)
                     check(f"{name}: shear force of LAMMPS", shear_force(mine), shear_force(peer), 1e-8)
-    old = run("path.lmp", style=f"gran/hertz/history {kn} {kt} 0 0 10 0", coeff="")
-    for part in range(1, 4):
-        same = run("path.lmp", style="contactlaws/dry_hill/displacement", coeff=f"{glass} friction 10")[part][-1]
-        check("gran/hertz/history", shear_force(same), shear_force(old[part][-1]), 1e-8)
+            if law == "dry_hill/displacement":
+                old = run("path.lmp", style=f"gran/hertz/history {kn} {kt} 0 0 10 0", coeff="")
+                for part in range(1, 4):
+                    check("gran/hertz/history", shear_force(ours[part][-1]), shear_force(old[part][-1]), 1e-8)
     for law in ("dry_hill", "dry_hill/displacement"):
         slid = run("path.lmp", style=f"contactlaws/{law}", coeff=f"{glass} friction 0.4")[1][-1]
         check(f"{law}: slip", shear_force(slid), 0.4 * hertz(1e-4), 1e-7)
@@ -300,6 +300,13 @@ def test_pour():
         expect(f"pour {key}: bridges hold them", wet[-1]["PotEng"] < -1e-3 and wet[-1]["ke"] < poured[-1]["ke"])
 
 
+def test_readme():
+    """The README's example prints what the README says."""
+    example = here.parents[2] / "examples" / "hosts" / "lammps"
+    printed = [line for line in start(example / "impact.lmp").splitlines() if line.startswith(("they", "a bridge"))]
+    expect("README", len(printed) == 2 and all(f"    {line}\n" in (example / "README.md").read_text() for line in printed))
+
+
 def test_bad_input():
     """LAMMPS's own error, naming what is wrong."""
     good = dict(style="contactlaws/hill", coeff=f"{glass} friction 0.4")
@@ -315,6 +322,7 @@ def test_bad_input():
             (dict(coeff=f"{glass} restitution 1.2"), "restitution"),
             (dict(coeff=f"{glass} wet -1"), "wet is -1 m, must lie in [0, inf)"),
             (dict(style="contactlaws/dry_hill", coeff=f"{glass} wet 0"), "no parameter 'wet'"),
+            (dict(coeff="poisson 0.2"), "types 1 1: ElasticMaterial: young is 0 Pa"),
             (dict(vel="no"), "comm_modify vel yes")):
         output = start("still.lmp", **dict(good, **change))
         expect(f"{change}: error '{message}' in: {[l for l in output.splitlines() if 'ERROR' in l]}",
