@@ -34,6 +34,7 @@ TEST_CASE("Validate: ranges hold their ends or not, and never infinity or NaN") 
   CHECK_FALSE(Range::closed(0.0, 1.0).contains(1.0000000000000002));
   CHECK_FALSE(Range::left_open(-1.0, 0.5).contains(-1.0));
   CHECK(Range::left_open(-1.0, 0.5).contains(0.5));
+  CHECK_FALSE(Range{0.0, 1.0, false, false}.contains(1.0));
   for (const Range& range : {Range::positive(), Range::not_negative(), Range::closed(0, 1), Range::left_open(0, 1)}) {
     CHECK_FALSE(range.contains(inf));
     CHECK_FALSE(range.contains(-inf));
