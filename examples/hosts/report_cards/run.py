@@ -37,7 +37,10 @@ def headers_of(host):
     if not Path("/usr/include/lammps/pair.h").is_file():
         return None
     folder = ROOT / "build/lammps_headers"
-    run("sh", ROOT / "examples/hosts/lammps/headers.sh", folder)
+    found = subprocess.run(["sh", str(ROOT / "examples/hosts/lammps/headers.sh"), str(folder)], capture_output=True, text=True)
+    if found.returncode:
+        print(f"lammps: its headers cannot be fetched: {found.stderr.strip()[-200:]}", file=sys.stderr)
+        return None
     return folder
 
 
@@ -45,7 +48,7 @@ def card(host):
     """The lines of a host's report card, or None."""
     headers = headers_of(host)
     if headers is None:
-        print(f"{host}: not installed, skipped", file=sys.stderr)
+        print(f"{host}: skipped, it or its headers are not here", file=sys.stderr)
         return None
     program = RESULTS / f"report_card_{host}"
     eigen = run("pkg-config", "--cflags-only-I", "eigen3", stdout=subprocess.PIPE).stdout.replace("-I", "-isystem").split()
