@@ -237,7 +237,7 @@ def jobs(full):
         yield PROGRAMS[program][0][0], program, lambda program=program: measure(program, effort)
     yield 12, "NSan", lambda: nsan(effort)
     yield 10, "forces and finite under -ffast-math", lambda: fast_math(effort)
-    yield 11, "fuzz", lambda: script(["sh", "tests/fuzz/run.sh", "--runs", "1000000000" if full else "100000000"])
+    yield 11, "fuzz", lambda: script(["sh", "tests/fuzz/run.sh", "--runs", "1000000000" if full else "20000000"])
     yield 16, "seeded faults", lambda: script(["python3", "tests/faults/run.py", *([] if full else ["--every", "4"])])
 
 

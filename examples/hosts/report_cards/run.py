@@ -56,7 +56,10 @@ def card(host):
     run("mpicxx", *FLAGS, *defines, "-isystem", headers, *eigen, f"-I{ROOT}/include", f"-I{ROOT}", HERE / f"{host}.cpp", "-o", program,
         f"-l{host}")
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    said = run(program, RESULTS / "paths" / host, stdout=subprocess.PIPE, env=environment).stdout
+    card_run = subprocess.run([program, RESULTS / "paths" / host], capture_output=True, text=True, env=environment)
+    if card_run.returncode:  # libliggghts warns of its own tables: shown on failure only
+        sys.exit(f"{program}: exit status {card_run.returncode}: {card_run.stderr[-2000:]}")
+    said = card_run.stdout
     (RESULTS / f"{host}.jsonl").write_text(said)
     return [json.loads(line) for line in said.splitlines() if line.startswith("{")]
 
