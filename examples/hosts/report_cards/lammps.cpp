@@ -242,7 +242,7 @@ double energy_gained_on_wall(const std::string& wall) {
   return worst;
 }
 
-int run(const std::string& folder) {
+void run(const std::string& folder) {
   for (const Style& style : styles()) {
     const TwoParticles host(style.lines);
     verify::Options options = two_grains(friction);
@@ -254,19 +254,13 @@ int run(const std::string& folder) {
     card.add("energy of impacts on a wall", energy_gained_on_wall(style.wall), 1e-4,
              "of the kinetic energy, gained, mu = 0.5");
   }
-  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
-  int status = 2;
-  try {
-    if (argc == 2) status = run(argv[1]);
-  } catch (const std::exception& error) {
-    std::cerr << "report_card_lammps: " << error.what() << '\n';
-  }
+  const int status = contactlaws::run_report_card(argc, argv, run);
   MPI_Finalize();
   return status;
 }

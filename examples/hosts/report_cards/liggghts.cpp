@@ -122,7 +122,7 @@ class TwoParticles {
   LAMMPS_NS::LAMMPS* lammps_ = nullptr;
 };
 
-int run(const std::string& folder) {
+void run(const std::string& folder) {
   for (const Model& model : {Model{"hooke, tangential history", "hooke tangential history", 1.0},
                              Model{"hertz, tangential history", "hertz tangential history", 1.0},
                              Model{"hertz, tangential history, e = 0.8", "hertz tangential history", 0.8}}) {
@@ -132,19 +132,13 @@ int run(const std::string& folder) {
     ReportCard card("LIGGGHTS-PUBLIC 3.8.0", model.title, folder);
     card.check(HostLaw<TwoParticles>{&host}, options);
   }
-  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
-  int status = 2;
-  try {
-    if (argc == 2) status = run(argv[1]);
-  } catch (const std::exception& error) {
-    std::cerr << "report_card_liggghts: " << error.what() << '\n';
-  }
+  const int status = contactlaws::run_report_card(argc, argv, run);
   MPI_Finalize();
   return status;
 }

@@ -2,7 +2,9 @@
 // The report card of a host's own law: the checks of contactlaws/verify, a JSON line each.
 #pragma once
 
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -96,5 +98,20 @@ class ReportCard {
 
   std::string host_, law_, folder_;
 };
+
+/// main() of a report card, between MPI_Init and MPI_Finalize: runs run(FOLDER), and says what failed.
+inline int run_report_card(int argc, char** argv, const std::function<void(const std::string& folder)>& run) {
+  if (argc != 2) {
+    std::cerr << argv[0] << ": name the folder for the paths of failures\n";
+    return 2;
+  }
+  try {
+    run(argv[1]);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << argv[0] << ": " << error.what() << '\n';
+    return 2;
+  }
+}
 
 }  // namespace contactlaws
