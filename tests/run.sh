@@ -3,7 +3,7 @@
 #
 # --all: what must pass before a change goes in. Also the examples' code, lints, each header alone, the fuzz corpus, packs as
 # wide as this machine has them, consumers' projects, and the sanitizers of a second compiler.
-# --hosts: the adapters of examples/hosts, each inside its host, and nothing else; 77 where a host cannot be had here.
+# --hosts: the adapters of examples/hosts, each inside its host, and nothing else. A host that cannot be had here is skipped, with a word.
 set -eu
 cd "$(dirname "$0")/.."
 all=OFF

@@ -86,8 +86,7 @@ int wrong_when_closed(const ErasedLaw<T>& law, const Instant<T>& now) {
 
 /// By how much the shear force exceeds mu times the normal force, or falls short of it where the contact slides without
 /// dashpots, in roundings of the forces of the step and of the adhesion, which cancels in the load: 8 are the subtraction's
-/// own. A law whose friction
-/// falls when it slides slides at the lower one.
+/// own. A law with two coefficients of friction slides at the lower one.
 template <class T>
 double friction_error(const ErasedLaw<T>& law, const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
                       const Step<T, typename ErasedLaw<T>::State>& step) {
@@ -133,15 +132,15 @@ double changed_by_set_up(const ErasedLaw<T>& law, const Instant<T>& now) {
   const T couple = norm<T>(Vec3<T>(again.couple - now.step.couple)) / (norm<T>(now.step.couple) + tiny);
   T worst = maximum<T>(force, couple);
   for (std::size_t i = 0; i < law.state_size(); ++i) {
-    T scale = abs(now.step.state[i]);
-    if (law.state_values[i].kind == ValueKind::vector)
-      for (std::size_t j = 0; j < law.state_size(); ++j)
-        if (law.state_values[j].kind == ValueKind::vector && law.state_values[j].unit == law.state_values[i].unit)
-          scale = maximum<T>(scale, T(abs(now.step.state[j])));
-    worst = maximum<T>(worst, T(abs(again.state[i] - now.step.state[i]) / (scale + tiny)));
-    if (law.state_values[i].unit == std::string_view("1") && law.state_values[i].kind == ValueKind::scalar &&
-        again.state[i] != now.step.state[i])
+    const std::string_view unit = law.state_values[i].unit;
+    const bool component = law.state_values[i].kind == ValueKind::vector;
+    if (!component && unit == "1" && again.state[i] != now.step.state[i])
       return std::numeric_limits<double>::infinity();
+    T scale = abs(now.step.state[i]);
+    for (std::size_t j = 0; component && j < law.state_size(); ++j)
+      if (law.state_values[j].kind == ValueKind::vector && law.state_values[j].unit == unit)
+        scale = maximum<T>(scale, T(abs(now.step.state[j])));
+    worst = maximum<T>(worst, T(abs(again.state[i] - now.step.state[i]) / (scale + tiny)));
   }
   const Vec3<T>& v = now.kinematics.velocity;
   const Vec3<T> slip = v - now.kinematics.normal * dot<T>(v, now.kinematics.normal);
