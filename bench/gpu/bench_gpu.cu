@@ -84,6 +84,42 @@ struct Copies {
   double best() const { return std::max(kernel, runtime); }
 };
 
+/// As many arrays as a batch reads and writes.
+template <class T, int reads, int writes>
+struct Streams {
+  const T* from[reads];
+  T* to[writes];
+};
+template <class T, int reads, int writes>
+__global__ void pass(const __grid_constant__ Streams<T, reads, writes> streams, std::size_t count) {
+  const std::size_t i = std::size_t(blockIdx.x) * blockDim.x + threadIdx.x;
+  if (i >= count) return;
+  T sum = T(0);
+  for (int k = 0; k < reads; ++k) sum += streams.from[k][i];
+  for (int k = 0; k < writes; ++k) streams.to[k][i] = sum;
+}
+
+/// Bytes per second of a kernel that only reads and writes arrays as a batch does: what memory leaves to a law.
+template <class Law>
+double bandwidth_of_streams(std::size_t count) {
+  using T = typename Law::Scalar;
+  constexpr int writes = int(Law::state_size) + 3;
+  constexpr int reads = int(bytes_per_contact<Law>() / sizeof(T)) - writes;
+  const std::size_t padded = (count + 31) / 32 * 32;
+  T* all;
+  CONTACTLAWS_CUDA(cudaMalloc(&all, padded * (reads + writes) * sizeof(T)));
+  CONTACTLAWS_CUDA(cudaMemset(all, 0x3c, padded * (reads + writes) * sizeof(T)));
+  CONTACTLAWS_CUDA(cudaDeviceSynchronize());
+  Streams<T, reads, writes> streams;
+  for (int k = 0; k < reads; ++k) streams.from[k] = all + padded * std::size_t(k);
+  for (int k = 0; k < writes; ++k) streams.to[k] = all + padded * std::size_t(reads + k);
+  const double time = seconds(
+      [&](int, cudaStream_t stream) { pass<<<unsigned((count + 127) / 128), 128, 0, stream>>>(streams, count); });
+  CONTACTLAWS_CUDA(cudaGetLastError());
+  CONTACTLAWS_CUDA(cudaFree(all));
+  return double(count * bytes_per_contact<Law>()) / time;
+}
+
 std::FILE* json = nullptr;
 bool first_row = true;
 
@@ -107,20 +143,23 @@ void measure(const char* name, const Law& law, const std::vector<Contact>& conta
     const double time =
         seconds([&](int i, cudaStream_t stream) { CONTACTLAWS_CUDA(evaluate(law, batches[i % 2], stream)); });
     const Copies copies(count * bytes);
+    const double streams = bandwidth_of_streams<Law>(count);
     const double bandwidth = double(count * bytes) / time;
     const double share = bandwidth / copies.best();
     const char* scalar = sizeof(T) == 8 ? "double" : "float";
     std::printf(
-        "%-13s %-6s %-7s %9zu  %8.2f ps  %4zu bytes  %6.0f GB/s, copy %6.0f (kernel) %6.0f (runtime): %5.1f %%\n", name,
-        scalar, mix, count, 1e12 * time / double(count), bytes, 1e-9 * bandwidth, 1e-9 * copies.kernel,
-        1e-9 * copies.runtime, 100.0 * share);
+        "%-12s %-6s %-7s %9zu %8.2f ps %3zu bytes %5.0f GB/s; copy %5.0f (kernel) %5.0f (runtime), streams %5.0f: "
+        "%5.1f %%\n",
+        name, scalar, mix, count, 1e12 * time / double(count), bytes, 1e-9 * bandwidth, 1e-9 * copies.kernel,
+        1e-9 * copies.runtime, 1e-9 * streams, 100.0 * share);
     std::fflush(stdout);
-    std::fprintf(json,
-                 "%s\n  {\"law\": \"%s\", \"scalar\": \"%s\", \"mix\": \"%s\", \"contacts\": %zu, \"launch_us\": %.3f, "
-                 "\"ps_per_contact\": %.3f, \"bytes_per_contact\": %zu, \"bandwidth_GBs\": %.1f, "
-                 "\"copy_kernel_GBs\": %.1f, \"copy_runtime_GBs\": %.1f, \"share_of_copy\": %.4f}",
-                 first_row ? "" : ",", name, scalar, mix, count, 1e6 * time, 1e12 * time / double(count), bytes,
-                 1e-9 * bandwidth, 1e-9 * copies.kernel, 1e-9 * copies.runtime, share);
+    std::fprintf(
+        json,
+        "%s\n  {\"law\": \"%s\", \"scalar\": \"%s\", \"mix\": \"%s\", \"contacts\": %zu, \"launch_us\": %.3f, "
+        "\"ps_per_contact\": %.3f, \"bytes_per_contact\": %zu, \"bandwidth_GBs\": %.1f, "
+        "\"copy_kernel_GBs\": %.1f, \"copy_runtime_GBs\": %.1f, \"streams_GBs\": %.1f, \"share_of_copy\": %.4f}",
+        first_row ? "" : ",", name, scalar, mix, count, 1e6 * time, 1e12 * time / double(count), bytes,
+        1e-9 * bandwidth, 1e-9 * copies.kernel, 1e-9 * copies.runtime, 1e-9 * streams, share);
     std::fflush(json);
     first_row = false;
   }

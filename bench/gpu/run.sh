@@ -76,8 +76,8 @@ compile build_test_contracted test_contracted -DCONTACTLAWS_TEST_CONTRACTS tests
 compile build_bench bench_gpu bench/gpu/bench_gpu.cu &
 wait
 
-stage 32 test_bits 60 $build/test_bits
-stage 32 test_contracted 60 $build/test_contracted
+stage 32 test_bits 90 $build/test_bits
+stage 32 test_contracted 90 $build/test_contracted
 for tool in memcheck racecheck initcheck; do
   stage 2 $tool 60 compute-sanitizer --tool $tool --error-exitcode 9 $build/test_bits --small
 done
@@ -85,7 +85,8 @@ stage 1 ncu 60 ncu --clock-control none --kernel-name regex:step_contacts --laun
   --section SpeedOfLight --section MemoryWorkloadAnalysis --section Occupancy --section LaunchStats \
   --section WarpStateStats $build/bench_gpu --one
 grep -E 'Throughput|Registers|Achieved Occ|Duration|Local|Issued' "$results/ncu.log"
-stage 0 sass 30 sh -c "cuobjdump -sass $build/bench_gpu | gzip > '$results/bench_gpu.sass.gz'"
+stage 0 sass 30 cuobjdump -sass $build/bench_gpu
+gzip -f "$results/sass.log"
 stage 65 bench 90 $build/bench_gpu "$results/gpu.json"
 card | tee -a "$results/card.csv"
 

@@ -140,33 +140,44 @@ CONTACTLAWS_HD void step_pack(const typename Law::template Rebind<Pack>& law, co
   scatter(range, input, step);
 }
 
-/// Steps the contacts of one pack of a batch.
-template <class Law, class Pack, class Range>
-CONTACTLAWS_HD void step_batch_pack(const typename Law::template Rebind<Pack>& law, const Range& contacts,
-                                    const ContactBatch<Law>& batch) noexcept {
-  constexpr bool rolls = decltype(Law::rolling)::acts;
-  const auto gather = [&batch](const auto& range) {
+/// What a pack of contacts reads of the arrays of a batch.
+template <class Law, class Pack>
+struct BatchGather {
+  const ContactBatch<Law>& batch;
+
+  template <class Range>
+  CONTACTLAWS_HD ContactInput<Pack> operator()(const Range& range) const noexcept {
     const auto column = [&range](const auto& c) { return range.load(c); };
     const auto vector = [&column](const auto& c) { return Vec3<Pack>(column(c[0]), column(c[1]), column(c[2])); };
     ContactInput<Pack> input{batch.pair.template map<Pack>(column),
                              {vector(batch.normal), column(batch.overlap), vector(batch.velocity), column(batch.dt),
                               column(batch.normal_spin)}};
-    if constexpr (rolls) input.kinematics.relative_spin = vector(batch.relative_spin);
+    if constexpr (decltype(Law::rolling)::acts) input.kinematics.relative_spin = vector(batch.relative_spin);
     return input;
-  };
-  const auto scatter = [&batch](const auto& range, const auto&, const auto& step) {
+  }
+};
+
+/// What it writes there beside its state.
+template <class Law>
+struct BatchScatter {
+  const ContactBatch<Law>& batch;
+
+  template <class Range, class Input, class Step>
+  CONTACTLAWS_HD void operator()(const Range& range, const Input&, const Step& step) const noexcept {
     for (int i = 0; i < 3; ++i) range.store(batch.force[std::size_t(i)], step.force[i]);
-    if constexpr (rolls)
+    if constexpr (decltype(Law::rolling)::acts)
       for (int i = 0; i < 3; ++i) range.store(batch.couple[std::size_t(i)], step.couple[i]);
-  };
-  step_pack<Law, Pack>(law, contacts, batch.state, batch.next, gather, scatter);
-}
+  }
+};
 
 /// Steps a batch; law_of(range) returns the law on Pack.
 template <class Law, class Pack, class LawOf>
 CONTACTLAWS_HD void step_batch(const LawOf& law_of, const ContactBatch<Law>& batch) noexcept {
-  for_each_pack<Pack>(0, batch.count,
-                      [&](const auto& range) { step_batch_pack<Law, Pack>(law_of(range), range, batch); });
+  const BatchGather<Law, Pack> gather{batch};
+  const BatchScatter<Law> scatter{batch};
+  for_each_pack<Pack>(0, batch.count, [&](const auto& range) {
+    step_pack<Law, Pack>(law_of(range), range, batch.state, batch.next, gather, scatter);
+  });
 }
 
 }  // namespace detail

@@ -39,11 +39,13 @@ __global__ void __launch_bounds__(threads_per_block)
   const std::size_t contact = std::size_t(blockIdx.x) * threads_per_block + threadIdx.x;
   if (contact >= batch.count) return;
   const PackRange<T, true> range(contact, 1);
+  const BatchGather<Law, T> gather{batch};
+  const BatchScatter<Law> scatter{batch};
   if constexpr (std::is_same_v<GivenLaw, Law>) {
-    step_batch_pack<Law, T>(law, range, batch);
+    step_pack<Law, T>(law, range, batch.state, batch.next, gather, scatter);
   } else {
     const auto parameter = [&range](const auto& column) { return range.load(column); };
-    step_batch_pack<Law, T>(law.template cast<T>(parameter), range, batch);
+    step_pack<Law, T>(law.template cast<T>(parameter), range, batch.state, batch.next, gather, scatter);
   }
 }
 
