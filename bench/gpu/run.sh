@@ -1,6 +1,5 @@
 #!/bin/sh
-# The batches of scalars/cuda.hpp on this machine's GPU, in a few minutes: build, test, check the memory accesses,
-# measure.
+# The batches of scalars/cuda.hpp on this machine's GPU, in a few minutes: build, test, measure, check memory accesses.
 #
 #   sh bench/gpu/run.sh FOLDER      results and logs in FOLDER: gpu.json, stages.csv, STAGE.log
 #
@@ -76,19 +75,21 @@ compile build_test_contracted test_contracted -DCONTACTLAWS_TEST_CONTRACTS tests
 compile build_bench bench_gpu bench/gpu/bench_gpu.cu &
 wait
 
-stage 32 test_bits 90 $build/test_bits
-stage 32 test_contracted 90 $build/test_contracted
+stage 32 test_bits 90 $build/test_bits &
+stage 32 test_contracted 90 $build/test_contracted &
+wait
+stage 65 bench 120 $build/bench_gpu "$results/gpu.json"
+card | tee -a "$results/card.csv"
 for tool in memcheck racecheck initcheck; do
-  stage 2 $tool 60 compute-sanitizer --tool $tool --error-exitcode 9 $build/test_bits --small
+  stage 2 $tool 90 compute-sanitizer --tool $tool --error-exitcode 9 $build/test_bits --small &
 done
+wait
 stage 1 ncu 60 ncu --clock-control none --kernel-name regex:step_contacts --launch-skip 2 --launch-count 1 \
   --section SpeedOfLight --section MemoryWorkloadAnalysis --section Occupancy --section LaunchStats \
   --section WarpStateStats $build/bench_gpu --one
 grep -E 'Throughput|Registers|Achieved Occ|Duration|Local|Issued' "$results/ncu.log"
 stage 0 sass 30 cuobjdump -sass $build/bench_gpu
 gzip -f "$results/sass.log"
-stage 65 bench 90 $build/bench_gpu "$results/gpu.json"
-card | tee -a "$results/card.csv"
 
 echo
 cat "$results/stages.csv"
