@@ -10,6 +10,7 @@ find_nvcc
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
 
+# shellcheck disable=SC2016  # not shell
 sed -n '/^```cpp$/,/^```$/p' docs/gpu.md | sed '/^```/d' > "$build/example.cu"
 grep -q evaluate "$build/example.cu"
 for_gpu "$@" -c tests/gpu/kernel.cu -o /dev/null

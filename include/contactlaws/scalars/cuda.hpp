@@ -4,7 +4,7 @@
 // error of the launch is returned. A host that keeps bodies instead of contact arrays calls law.step() in a kernel of
 // its own.
 //
-// Against the CPU's results without fused multiply-adds (g++ -ffp-contract=off; tests/gpu/test_gpu.cu):
+// Against the CPU's results without fused multiply-adds (g++ -ffp-contract=off), tests/gpu/test_gpu.cu requires:
 //
 //   nvcc -fmad=false   the same bits, where a law calls no pow, exp, sin or cos
 //   otherwise          those of a CPU whose inputs and history differ by a few units in the last place
