@@ -333,7 +333,7 @@ def test_sub_models():
             expect(f"{coeff}, newton {newton}: shears", shear_force(two[1][-1]) > 1)
     mixed = 1 / ((1 - poisson**2) / young + (1 - 0.22**2) / 70e9)
     second = f"pair_coeff 2 2 contactlaws/hertz 70e9 0 0.22 tangential contactlaws/force NULL 0 10 damping velocity"
-    row = run("still.lmp", style="granular", coeff=granular(friction=10), types=2, second=second)[-1][-1]
+    row = run("still.lmp", style="granular", coeff=granular(friction=10), types=2, which="1 1", second=second)[-1][-1]
     check("sub-models of two types: mixed moduli", normal_force(row), hertz(r1 + r2 - distance(row), mixed), 1e-9)
 
 
