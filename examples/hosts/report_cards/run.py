@@ -36,7 +36,7 @@ def headers_of(host):
         return folder if folder.is_dir() else None
     if not Path("/usr/include/lammps/pair.h").is_file():
         return None
-    folder = ROOT / "build/lammps_headers"
+    folder = ROOT / "build/hosts/lammps/headers"
     found = subprocess.run(["sh", str(ROOT / "examples/hosts/lammps/headers.sh"), str(folder)], capture_output=True, text=True)
     if found.returncode:
         print(f"lammps: its headers cannot be fetched: {found.stderr.strip()[-200:]}", file=sys.stderr)
