@@ -1,7 +1,18 @@
 #!/bin/sh
-# Builds the examples and runs them, on a fresh Debian or Ubuntu too:  sh examples/run.sh
+# Builds the examples and runs them, on a fresh Debian or Ubuntu too:  sh examples/run.sh [--full]
+#
+# --full: the specimens of both documents at their sizes. That takes hours; Ctrl-C stops it, the same command goes on.
 set -eu
 cd "$(dirname "$0")/.."
+full=
+case ${1:-} in
+'') ;;
+--full) full=--full ;;
+*)
+  echo "examples/run.sh: $1 is not --full" >&2
+  exit 2
+  ;;
+esac
 
 # shellcheck source=cmake/install_packages.sh
 . cmake/install_packages.sh
@@ -17,12 +28,16 @@ build/examples/bin/drop build/results/drop
 wrong=0
 build/examples/bin/memo build/results || wrong=$?
 build/examples/bin/contact_curves build/results || wrong=$?
+# shellcheck disable=SC2086  # no word, where $full is empty
+build/examples/bin/class5 build/results $full || wrong=$?
+if [ $wrong -gt 1 ]; then exit $wrong; fi  # a fault, or stopped
 
 # The first Python that has matplotlib: Debian's package serves /usr/bin/python3, which need not be the first on the path.
 for python in python3 /usr/bin/python3; do
   if "$python" -c 'import matplotlib' 2>/dev/null; then break; fi
 done
 "$python" examples/memo/figures.py build/results
+"$python" examples/memo/class5/figures.py build/results
 "$python" examples/ballast/figures.py build/results
 
 example=examples/contact_path

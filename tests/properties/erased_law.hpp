@@ -37,8 +37,9 @@ constexpr bool may_pull<Dashpots<T, Tension::allowed, shear>> = true;
 /// Whether a law claims never to create energy: no shear, a rescaled force, or a shear stiffness that never changes.
 template <class Shear>
 constexpr bool rescales_force = false;
-template <class T, class... Options>
-constexpr bool rescales_force<IncrementalShear<T, Stored::force, Unloading::rescales, Options...>> = true;
+template <class T, class Stiffness, class Rotation, class Friction>  // by name: g++ 14 fails on a pack of them
+constexpr bool rescales_force<IncrementalShear<T, Stored::force, Unloading::rescales, Stiffness, Rotation, Friction>> =
+    true;
 template <class Law>
 constexpr bool conserves_energy =
     !decltype(Law::rolling)::acts && (!has_shear<Law> || rescales_force<decltype(Law::shear)> ||

@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-#include "contactlaws/laws.hpp"
+#include "../laws.hpp"
 #include "law.hpp"
 
 namespace {
@@ -29,7 +29,7 @@ struct Materials {
   }
   EffectiveModuli<double> moduli() const {
     const auto or_first = [](double second, double first) { return second == second ? second : first; };
-    return effective_moduli<double>({young, poisson, 1.0}, {or_first(young2, young), or_first(poisson2, poisson), 1.0});
+    return given_moduli({young, poisson, 1.0}, {or_first(young2, young), or_first(poisson2, poisson), 1.0});
   }
 };
 /// Of laws that read no moduli.
@@ -38,15 +38,12 @@ struct NoMaterials {
   static constexpr std::array<Parameter<NoMaterials, double>, 0> parameters() { return {}; }
   static EffectiveModuli<double> moduli() { return {not_given, not_given}; }
 };
-struct SmoothHertzProperties {
-  static constexpr const char* name = "SmoothHertzProperties";
-  static constexpr std::array<Parameter<SmoothHertzProperties, double>, 0> parameters() { return {}; }
-};
 
 /// All that contactlaws_make() may set: set_parameter() finds it by name.
-template <class Properties, class OfBodies>
+template <class Parameters>
 struct Request {
-  Properties properties;
+  using OfBodies = std::conditional_t<spring_of<Parameters> == Spring::hertz, Materials, NoMaterials>;
+  Parameters properties;
   OfBodies materials;
   auto slots() { return std::tie(properties, materials); }
 };
@@ -85,35 +82,35 @@ class MadeLaw final : public contactlaws_law {
   const Law law_;
 };
 
-struct Parameters {
+struct Given {
   std::size_t count;
   const char* const* names;
   const double* values;
 };
-using Maker = std::function<contactlaws_law*(const Parameters&)>;
+using Maker = std::function<contactlaws_law*(const Given&)>;
 
-template <class OfBodies, class Properties, class Make>
-Maker maker(const Properties& defaults, const Make& make) {
-  return [defaults, make](const Parameters& given) -> contactlaws_law* {
-    Request<Properties, OfBodies> request{defaults, {}};
-    for (std::size_t i = 0; i < given.count; ++i) set_parameter(request, given.names[i], given.values[i]);
-    const auto law = make(request.properties);
-    return new MadeLaw<std::decay_t<decltype(law)>>(request.materials.moduli(), law);
-  };
+template <class Parameters>
+contactlaws_law* make(const Given& given) {
+  Request<Parameters> request{};
+  for (std::size_t i = 0; i < given.count; ++i) {
+    const std::string name = given.names[i];
+    if (name == "restitution") {
+      set_law_parameter(request.properties, name, given.values[i]);
+    } else {
+      set_parameter(request, name, given.values[i]);
+    }
+  }
+  return new MadeLaw<LawOf<Parameters>>(request.materials.moduli(), make_law(request.properties));
 }
 
 const std::map<std::string, Maker>& makers() {
-  static const std::map<std::string, Maker> all{
-      {"smooth_hertz",
-       maker<Materials>(SmoothHertzProperties(), [](const auto&) { return contactlaws::smooth_hertz<double>(); })},
-      {"dry_hill", maker<Materials>(DryHillProperties<double>(), [](const auto& p) { return dry_hill(p); })},
-      {"hill", maker<Materials>(HillProperties<double>(), [](const auto& p) { return hill(p); })},
-      {"rough_ballast",
-       maker<Materials>(RoughBallastProperties<double>(), [](const auto& p) { return rough_ballast(p); })},
-      {"linear_friction",
-       maker<NoMaterials>(LinearFrictionProperties<double>(), [](const auto& p) { return linear_friction(p); })},
-      {"linear_spring_dashpot", maker<NoMaterials>(LinearSpringDashpotProperties<double>(),
-                                                   [](const auto& p) { return linear_spring_dashpot(p); })}};
+  static const std::map<std::string, Maker> all = [] {
+    std::map<std::string, Maker> table;
+    visit_laws([&table](const char* name, const auto& parameters) {
+      table.emplace(name, make<std::decay_t<decltype(parameters)>>);
+    });
+    return table;
+  }();
   return all;
 }
 

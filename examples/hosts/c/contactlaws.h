@@ -28,11 +28,12 @@ typedef struct contactlaws_body {
 /* A law by name, with `count` parameters by name. Those left out are 0, stiffness_ratio is 1, body 2 is of body 1's material.
  *
  *   smooth_hertz             young [Pa], poisson, young2, poisson2
- *   dry_hill                 as smooth_hertz; friction, damping_constant
- *   hill                     as dry_hill; suction [Pa]
+ *   dry_hill                 as smooth_hertz; friction, and damping_constant or restitution; other shear histories:
+ *                            dry_hill/rescaled, dry_hill/displacement, dry_hill/displacement_rescaled
+ *   hill                     as dry_hill; suction [Pa], decay_length, rupture_gap
  *   rough_ballast            as smooth_hertz; fractal_dimension, roughness [m], friction, stiffness_ratio
  *   linear_friction          modulus [Pa], friction, stiffness_ratio
- *   linear_spring_dashpot    normal_stiffness [N/m], friction, stiffness_ratio, damping_constant
+ *   linear_spring_dashpot    normal_stiffness [N/m], friction, stiffness_ratio, damping_constant or restitution
  *
  * NULL if there is no such law or parameter, or a value is out of its range. */
 contactlaws_law* contactlaws_make(const char* law, size_t count, const char* const* names, const double* values);

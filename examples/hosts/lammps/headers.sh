@@ -1,6 +1,7 @@
 #!/bin/sh
 # Fetches LAMMPS's C++ headers into a folder, from the source package of the installed release: liblammps-dev leaves out fmt/
-# and some others. Takes the machine's own Debian entry; changes nothing outside the folder.
+# and some others; with them the sources of the package GRANULAR. Takes the machine's own Debian entry; changes nothing outside
+# the folder.
 #
 #   sh headers.sh FOLDER        then compile with -isystem FOLDER
 set -eu
@@ -17,14 +18,15 @@ cd "$scratch"
 mkdir -p lists/partial headers
 
 # The entries of Debian itself, as sources: deb822 files and one-line files.
+suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
 for file in /etc/apt/sources.list.d/*.sources; do
-  if grep -qs 'Suites:.*bookworm' "$file"; then
+  if grep -qs "Suites:.*$suite" "$file"; then
     sed 's/^Types:.*/Types: deb-src/' "$file" > entries.sources
     break
   fi
 done
 if [ ! -f entries.sources ]; then
-  sed -n 's/^deb \(.*bookworm .*\)/deb-src \1/p' /etc/apt/sources.list > entries.list
+  sed -n "s/^deb \\(.*$suite .*\\)/deb-src \\1/p" /etc/apt/sources.list > entries.list
 fi
 entries=$(ls entries.*)
 apt() {
@@ -32,6 +34,7 @@ apt() {
     -o Dir::State::lists="$scratch/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= "$@"
 }
 apt update
-apt source --download-only --only-source "lammps=$(dpkg-query -W -f='${source:Version}' liblammps0)"
-tar xJf lammps_*.orig.tar.xz -C headers --strip-components=2 --wildcards '*/src/*.h'
+# A mirror may lack a file that is not needed here: what counts is the archive itself.
+apt source --download-only --only-source "lammps=$(dpkg-query -W -f='${source:Version}' liblammps-dev)" || ls lammps_*.orig.tar.xz
+tar xJf lammps_*.orig.tar.xz -C headers --strip-components=2 --wildcards '*/src/*.h' '*/src/GRANULAR/*.cpp'
 cp -R headers/. "$folder"

@@ -5,8 +5,8 @@
 //   pair_coeff I J [young E] [poisson nu] [NAME VALUE]...
 //
 // young and poisson are those of a type: give them where I and J are the same. Every pair of types has parameters of its own;
-// commands add up. `restitution e` sets the damping constant of a Hertz contact. `wet GAP` wets, where the next run starts,
-// every contact of these types with a gap up to GAP.
+// commands add up, and are checked where a run starts. `restitution e` sets the damping constant. `wet GAP` wets, where the
+// next run starts, every contact of these types with a gap up to GAP.
 //
 // Body 1 is LAMMPS's atom i, body 2 atom j. History lives in fix NEIGH_HISTORY; a pair that changes its owner is transferred
 // with bodies swapped. A set-up pass has dt = 0, so that it returns the last step's force and leaves the history as it is.
@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "../laws.hpp"
 #include "atom.h"
 #include "comm.h"
 #include "contact_block.hpp"
@@ -36,20 +37,18 @@
 #include "update.h"
 #include "utils.h"
 
-namespace contactlaws {
+// Functions that LAMMPS renamed in 2022; a header that came with the same releases tells them apart.
+#if __has_include("label_map.h")
+#define CONTACTLAWS_LAMMPS_2023 1
+#else
+#define CONTACTLAWS_LAMMPS_2023 0
+#endif
 
-/// The law of checked parameters: those of a maker, or of the law itself.
-inline RoughBallast<double> make_law(const RoughBallastProperties<double>& properties) {
-  return rough_ballast(properties);
-}
-template <class... Slots>
-ContactLaw<Slots...> make_law(const ContactLaw<Slots...>& law) {
-  return checked(law);
-}
+namespace contactlaws {
 
 template <class Parameters>
 class PairContactLaws : public LAMMPS_NS::Pair {
-  using Law = decltype(make_law(Parameters()));
+  using Law = LawOf<Parameters>;
   using Pack = typename PackOf<double>::type;
   static constexpr bool bridges = decltype(Law::bridge)::acts;
   static_assert(Law::state_size > 0, "a law without history needs no fix NEIGH_HISTORY");
@@ -71,8 +70,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   struct TypePair {
     Parameters parameters;
     Law law;
-    EffectiveModuli<double> moduli;
-    double wet_gap = -1.0;  ///< < 0: wets nothing [m]
+    EffectiveModuli<double> moduli{1.0, 1.0};  ///< not read by laws of linear springs
+    double wet_gap = -1.0;                     ///< < 0: wets nothing [m]
     ContactBlock<Law> block;
     std::array<Contact, ContactBlock<Law>::capacity> contacts;  ///< those in the block
   };
@@ -136,15 +135,9 @@ class PairContactLaws : public LAMMPS_NS::Pair {
               },
               i, j);
         }
-        or_fail([&] { of_types(i, j).law = make_law(of_types(i, j).parameters); }, i, j);
         setflag[i][j] = 1;
         any = true;
       }
-      or_fail(
-          [&] {
-            if (materials_[std::size_t(i)].young != 0.0) checked(materials_[std::size_t(i)]);
-          },
-          i, i);
     }
     if (!any) fail("pair_coeff names no pair of types: give I <= J");
   }
@@ -154,13 +147,15 @@ class PairContactLaws : public LAMMPS_NS::Pair {
       fail("atoms need a radius, mass, spin and torque: atom_style sphere");
     if (comm->ghost_velocity == 0) fail("ghost atoms need velocities: comm_modify vel yes");
 
+    for (int i = 1; i <= atom->ntypes; ++i)
+      for (int j = i; j <= atom->ntypes; ++j)
+        if (setflag[i][j] != 0) or_fail([&] { of_types(i, j).law = make_law(of_types(i, j).parameters); }, i, j);
+
     // A list of touching spheres, or one that reaches as far as a bridge does.
     bool reaches = false;
     if constexpr (bridges)
       for (const TypePair& pair : pairs_) reaches = reaches || pair.law.bridge.suction > 0.0;
-    const int request = neighbor->request(this, instance_me);
-    neighbor->requests[request]->size = !reaches;
-    neighbor->requests[request]->history = !reaches;
+    request_list(!reaches);
     if (history_ == nullptr) {
       history_ = static_cast<LAMMPS_NS::FixNeighHistory*>(modify->replace_fix(
           placeholder_id().c_str(), history_id() + " all NEIGH_HISTORY " + std::to_string(Law::state_size), 1));
@@ -181,7 +176,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   double init_one(int i, int j) override {
     if (setflag[i][j] == 0) fail("no pair_coeff of types " + std::to_string(i) + " " + std::to_string(j));
     TypePair& pair = of_types(i, j);
-    or_fail([&] { pair.moduli = effective_moduli(materials_[std::size_t(i)], materials_[std::size_t(j)]); }, i, j);
+    if (spring_of<Parameters> == Spring::hertz)
+      or_fail([&] { pair.moduli = given_moduli(materials_[std::size_t(i)], materials_[std::size_t(j)]); }, i, j);
     const double r1 = largest_radii_[std::size_t(i)], r2 = largest_radii_[std::size_t(j)];
     if (r1 == 0.0 || r2 == 0.0) return r1 + r2;
     return r1 + r2 + pair.law.interaction_range(sphere_sphere_pair<double>(pair.moduli, r1, r2, 1.0));
@@ -220,10 +216,12 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     return types.law.stored_energy(pair, contact.kinematics.overlap, step.state);
   }
 
-  void transfer_history(double* source, double* target) override {
+  // Both forms of LAMMPS's virtual function, hence without `override`.
+  virtual void transfer_history(double* source, double* target) {
     std::copy_n(source, Law::state_size, target);
     Law::exchange_bodies(target);
   }
+  virtual void transfer_history(double* source, double* target, int, int) { transfer_history(source, target); }
 
   void write_restart(FILE* file) override {
     std::fwrite(&packs_, sizeof(packs_), 1, file);
@@ -246,7 +244,6 @@ class PairContactLaws : public LAMMPS_NS::Pair {
         read(file, &setflag[i][j], sizeof(int));
         read(file, static_cast<void*>(&pair.parameters), sizeof(Parameters));
         read(file, &pair.wet_gap, sizeof(double));
-        if (setflag[i][j] != 0) or_fail([&] { pair.law = make_law(pair.parameters); }, i, j);
       }
   }
 
@@ -266,6 +263,18 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     error->all(FLERR, std::string("Pair style contactlaws: ") + message);
     std::abort();
   }
+  /// Asks for a list of touching spheres with history, or for one that reaches as far as the cutoff.
+  void request_list(bool touching) {
+#if CONTACTLAWS_LAMMPS_2023
+    using namespace LAMMPS_NS::NeighConst;
+    neighbor->add_request(this, touching ? REQ_SIZE | REQ_HISTORY : REQ_DEFAULT);
+#else
+    const int request = neighbor->request(this, instance_me);
+    neighbor->requests[request]->size = touching;
+    neighbor->requests[request]->history = touching;
+#endif
+  }
+
   /// The library's complaint about a pair of types becomes LAMMPS's error.
   template <class Action>
   void or_fail(const Action& action, int i, int j) const {
@@ -283,7 +292,7 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     memory->create(cutsq, n, n, "pair:cutsq");
     for (int i = 1; i < n; ++i)
       for (int j = i; j < n; ++j) setflag[i][j] = 0;
-    materials_.assign(std::size_t(n), {0.0, 0.0, 1.0});
+    materials_.assign(std::size_t(n), no_material());
     pairs_.resize(std::size_t(n * (n - 1) / 2));
     pair_of_types_.assign(std::size_t(n * n), nullptr);
     std::size_t next = 0;
@@ -297,10 +306,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     if (bridges && name == "wet") {
       require_in(Range::not_negative(), value, "pair_coeff", "wet", "m");
       pair.wet_gap = value;
-    } else if (name == "restitution") {
-      set_parameter(pair.parameters, "damping_constant", damping_constant(value, Spring::hertz, Tension::allowed));
     } else {
-      set_parameter(pair.parameters, name, value);
+      set_law_parameter(pair.parameters, name, value);
     }
   }
 
@@ -338,7 +345,11 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     body_masses_.resize(std::size_t(atom->nmax));
     for (int i = 0; i < atom->nlocal; ++i)
       body_masses_[std::size_t(i)] = body != nullptr && body[i] >= 0 ? mass[body[i]] : atom->rmass[i];
+#if CONTACTLAWS_LAMMPS_2023
+    comm->forward_comm(this);
+#else
     comm->forward_comm_pair(this);
+#endif
   }
 
   /// Masses of a contact's bodies. Beside a frozen atom both count as twice the other's, so that m* is the other's mass.

@@ -24,8 +24,7 @@ NORMAL_MODEL(CONTACTLAWS_ROUGH_BALLAST, contactlaws / rough_ballast, 43)
 #include <string>
 #include <vector>
 
-#include "contactlaws/damping/restitution.hpp"
-#include "contactlaws/laws.hpp"
+#include "../laws.hpp"
 #include "error.h"
 #include "fix_property_global.h"
 #include "neighbor.h"
@@ -35,35 +34,10 @@ NORMAL_MODEL(CONTACTLAWS_ROUGH_BALLAST, contactlaws / rough_ballast, 43)
 namespace LIGGGHTS {
 namespace ContactModels {
 
-// The laws: their parameters, and how they are made.
-struct DryHillMaker {
-  using Properties = contactlaws::DryHillProperties<double>;
-  static auto law(const Properties& properties) { return contactlaws::dry_hill(properties); }
-};
-struct DryHillDisplacementMaker {
-  using Properties = contactlaws::DryHillProperties<double>;
-  using Law = contactlaws::ContactLaw<contactlaws::Hertz<double>, contactlaws::Dashpots<double>,
-                                      contactlaws::ShearDisplacement<double> >;
-  static Law law(const Properties& properties) {
-    const auto like = contactlaws::dry_hill(properties);
-    Law made;
-    made.damping = like.damping;
-    made.shear.friction = like.shear.friction;
-    return made;
-  }
-};
-struct HillMaker {
-  using Properties = contactlaws::HillProperties<double>;
-  static auto law(const Properties& properties) { return contactlaws::hill(properties); }
-};
-struct RoughBallastMaker {
-  using Properties = contactlaws::RoughBallastProperties<double>;
-  static auto law(const Properties& properties) { return contactlaws::rough_ballast(properties); }
-};
-
-template <class Maker>
+/// Parameters: of the table of laws.
+template <class Parameters>
 class ContactLawsModel : public NormalModelBase {
-  using Law = decltype(Maker::law({}));
+  using Law = contactlaws::LawOf<Parameters>;
   using Vec = contactlaws::Vec3<double>;
 
  public:
@@ -126,14 +100,15 @@ class ContactLawsModel : public NormalModelBase {
     const auto material = [&](int type) {
       return contactlaws::ElasticMaterial<double>{of_type("youngsModulus", type), of_type("poissonsRatio", type), 1.0};
     };
-    typename Maker::Properties properties;
-    for (const auto& parameter : Maker::Properties::parameters())
-      properties.*parameter.member = value_of(registry, parameter.name, i, j);
-    return {Maker::law(properties), contactlaws::effective_moduli(material(i), material(j))};
+    Parameters parameters;
+    contactlaws::visit_parameters(parameters, [&](const char*, const auto& parameter, double& value) {
+      value = value_of(registry, parameter.name, value, i, j);
+    });
+    return {contactlaws::make_law(parameters), contactlaws::given_moduli(material(i), material(j))};
   }
 
-  /// The value of a law's parameter for two types.
-  double value_of(PropertyRegistry& registry, const std::string& parameter, int i, int j) const {
+  /// The value of a law's parameter for two types; its default where LIGGGHTS has no property for it.
+  double value_of(PropertyRegistry& registry, const std::string& parameter, double otherwise, int i, int j) const {
     const auto property = [&](const char* name) {
       return registry.getGlobalProperty(name, "property/global", "peratomtypepair", types_, types_, "contactlaws")
           ->compute_array(i - 1, j - 1);
@@ -143,9 +118,11 @@ class ContactLawsModel : public NormalModelBase {
     if (parameter == "friction") return property("coefficientFriction");
     if (parameter == "damping_constant")
       return contactlaws::damping_constant(property("coefficientRestitution"), Spring::hertz, Tension::allowed);
+    if (parameter == "suction") return property("suction");
     if (parameter == "fractal_dimension") return property("fractalDimension");
+    if (parameter == "roughness") return property("roughness");
     if (parameter == "stiffness_ratio") return property("stiffnessRatio");
-    return property(parameter.c_str());
+    return otherwise;
   }
 
   /// The contact of j (body 1) and i (body 2); a wall j has radius 0. Adds forces and torques.
@@ -186,22 +163,23 @@ class ContactLawsModel : public NormalModelBase {
 };
 
 template <>
-class NormalModel<CONTACTLAWS_DRY_HILL> : public ContactLawsModel<DryHillMaker> {
+class NormalModel<CONTACTLAWS_DRY_HILL> : public ContactLawsModel<contactlaws::DryHill<double> > {
  public:
   using ContactLawsModel::ContactLawsModel;
 };
 template <>
-class NormalModel<CONTACTLAWS_DRY_HILL_DISPLACEMENT> : public ContactLawsModel<DryHillDisplacementMaker> {
+class NormalModel<CONTACTLAWS_DRY_HILL_DISPLACEMENT>
+    : public ContactLawsModel<contactlaws::HertzWith<contactlaws::ShearDisplacement> > {
  public:
   using ContactLawsModel::ContactLawsModel;
 };
 template <>
-class NormalModel<CONTACTLAWS_HILL> : public ContactLawsModel<HillMaker> {
+class NormalModel<CONTACTLAWS_HILL> : public ContactLawsModel<contactlaws::Hill<double> > {
  public:
   using ContactLawsModel::ContactLawsModel;
 };
 template <>
-class NormalModel<CONTACTLAWS_ROUGH_BALLAST> : public ContactLawsModel<RoughBallastMaker> {
+class NormalModel<CONTACTLAWS_ROUGH_BALLAST> : public ContactLawsModel<contactlaws::RoughBallastProperties<double> > {
  public:
   using ContactLawsModel::ContactLawsModel;
 };

@@ -2,7 +2,8 @@
 """Builds the report cards of the hosts that are installed, runs them and writes docs/report_cards.md's tables.
 
     python3 examples/hosts/report_cards/run.py              prints the tables; results in build/results/report_cards/
-    python3 examples/hosts/report_cards/run.py --publish    also writes them, and the paths of failures, into docs/
+    python3 examples/hosts/report_cards/run.py --publish    also writes them, and the paths of failures, into docs/, where the page
+                                                            has a section of this version
 
 Hosts: LAMMPS (lammps, liblammps-dev), LIGGGHTS (liggghts, libliggghts-dev), both with mpi-default-dev. Skips (77) without one.
 """
@@ -36,7 +37,7 @@ def headers_of(host):
         return folder if folder.is_dir() else None
     if not Path("/usr/include/lammps/pair.h").is_file():
         return None
-    folder = ROOT / "build/lammps_headers"
+    folder = ROOT / "build/hosts/lammps/headers"
     found = subprocess.run(["sh", str(ROOT / "examples/hosts/lammps/headers.sh"), str(folder)], capture_output=True, text=True)
     if found.returncode:
         print(f"lammps: its headers cannot be fetched: {found.stderr.strip()[-200:]}", file=sys.stderr)
@@ -82,12 +83,15 @@ def table(lines):
     return f"{lines[0]['host']}:\n\n" + "\n".join(rows) + "\n"
 
 
-def publish(host, lines):
+def publish(lines):
+    host = lines[0]["host"]
     page = PAGE.read_text()
     begin, end = f"<!-- {host} -->\n", f"<!-- end of {host} -->"
+    if begin not in page:
+        sys.exit(f"{PAGE.name} has no section '{begin.strip()}'")
     before, rest = page.split(begin)
     PAGE.write_text(before + begin + "\n" + table(lines) + "\n" + end + rest.split(end)[1])
-    folder = PATHS / host
+    folder = PATHS / host.lower().replace(' ', '_')
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     for line in lines:
@@ -102,12 +106,12 @@ def main():
     options = parser.parse_args()
     RESULTS.mkdir(parents=True, exist_ok=True)
     cards = {host: card(host) for host in ("lammps", "liggghts")}
-    for host, lines in cards.items():
+    for lines in cards.values():
         if lines is None:
             continue
         print(table(lines))
         if options.publish:
-            publish(host, lines)
+            publish(lines)
     return 0 if any(cards.values()) else 77
 
 

@@ -15,6 +15,7 @@ clmp, negated = (str(pathlib.Path(p).resolve()) for p in sys.argv[1:3])
 scratch = tempfile.TemporaryDirectory()
 environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMP_NUM_THREADS="1")
 checks = failures = 0
+sub_models = b"contactlaws/pohrt_popov" in pathlib.Path(clmp).read_bytes()  # LAMMPS has them since 2023
 
 
 def start(name, ranks=1, program=clmp, **variables):
@@ -37,7 +38,7 @@ def run(name, **arguments):
     for line in output.splitlines():
         words = line.split()
         if words[:1] == ["Step"]:
-            columns = [word.removeprefix("v_").removeprefix("c_") for word in words]
+            columns = [word.removeprefix("v_").removeprefix("c_").removeprefix("f_") for word in words]
             tables.append([])
         elif line.startswith("Loop time"):
             columns = None
@@ -260,20 +261,28 @@ def test_restart():
                            len(again) > 20 and close([rows[row["Step"]] for row in again], again, 1e-9, keys))
 
 
-def test_rattle():
-    """A rough contact that opens meets fresh surfaces when it closes."""
-    dimension, roughness = 2.2, 2e-5
+dimension, roughness = 2.2, 2e-5
+
+
+def rough_depth(overlap):
+    """Indentation of a rough surface under virgin loading."""
     beta = 0.2567 * dimension
     p = 2 / (3 * (1 - beta))
     depth_c = roughness * 0.75 * math.sqrt(math.pi) * (20 / (math.pi**1.5 * dimension))**(1 / beta)
+    x = overlap / (p * depth_c)
+    return depth_c * x**p if x < 1 else depth_c + overlap - p * depth_c
 
-    def depth(overlap):
-        x = overlap / (p * depth_c)
-        return depth_c * x**p if x < 1 else depth_c + overlap - p * depth_c
 
-    for how in ("scalar", "packs"):
-        tables = run("rattle.lmp", style=f"contactlaws/rough_ballast {how}",
-                     coeff=f"{glass} friction 0.4 fractal_dimension {dimension} roughness {roughness}")
+def test_rattle():
+    """A rough contact that opens meets fresh surfaces when it closes."""
+    depth = rough_depth
+    rough = f"contactlaws/pohrt_popov {young:g} 0 {poisson} {dimension} {roughness}"
+    ways = [(f"contactlaws/rough_ballast {how}", f"{glass} friction 0.4 fractal_dimension {dimension} roughness {roughness}")
+            for how in ("scalar", "packs")]
+    if sub_models:
+        ways.append(("granular", f"{rough} tangential contactlaws/force 1 0 0.4 damping velocity"))
+    for how, coeff in ways:
+        tables = run("rattle.lmp", style=how, coeff=coeff)
         virgin, largest, unloaded, _, again = (r1 + r2 - distance(table[-1]) for table in tables)
         for part, d in ((0, depth(virgin)), (1, depth(largest)), (2, depth(largest) - (largest - unloaded)), (4, depth(again))):
             check(f"rough contact {how}, part {part}", normal_force(tables[part][-1]), hertz(d), 1e-8)
@@ -286,6 +295,124 @@ def test_rigid():
         after = run("rigid.lmp", ranks=ranks, pz=ranks, style="contactlaws/dry_hill", coeff=f"{glass} restitution 0.6")[0][-1]
         check(f"restitution on a rigid body, {ranks} ranks", after["vs"] - after["vb"], 0.12, 1e-3)
         check(f"momentum beside a rigid body, {ranks} ranks", after["vs"] + 2 * after["vb"], -0.2, 1e-9)
+
+
+def granular(normal="hertz", e=0, tangential="force", ratio="NULL", friction=0.4, damping="velocity"):
+    """The same laws as sub-models of LAMMPS."""
+    surface = f"{dimension} {roughness}" if normal == "pohrt_popov" else ""
+    return (f"contactlaws/{normal} {young:g} {e} {poisson} {surface} tangential contactlaws/{tangential} {ratio} 0 {friction} "
+            f"damping {damping}")
+
+
+def test_sub_models():
+    """Sub-models of `pair_style granular` are the pair styles of the same laws, on one rank and on two."""
+    if not sub_models:
+        print("sub-models: skipped, this LAMMPS has none (they came in 2023)")
+        return
+    for tangential, law in (("force", "dry_hill"), ("force_rescaled", "dry_hill/rescaled"),
+                            ("displacement", "dry_hill/displacement"),
+                            ("displacement_rescaled", "dry_hill/displacement_rescaled")):
+        for friction in (10, 0.4):
+            ours = run("path.lmp", style=f"contactlaws/{law}", coeff=f"{glass} friction {friction}")
+            theirs = run("path.lmp", style="granular", coeff=granular(tangential=tangential, friction=friction))
+            for part in range(4):
+                for key in ("fx", "fz", "f1x", "f1z"):
+                    check(f"sub-model {tangential}, friction {friction}, part {part}: {key} + 1 kN",
+                          1e3 + theirs[part][-1][key], 1e3 + ours[part][-1][key], 1e-8)
+    off_centre = dict(off=0.006, spin=-30, steps=20000, dt=1e-8)
+    ours = run("impact.lmp", style="contactlaws/dry_hill", coeff=f"{glass} friction 0.3", ours="yes", **off_centre)[0][-1]
+    theirs = run("impact.lmp", style="granular", coeff=granular(friction=0.3), ours="no", **off_centre)[0][-1]
+    for key in ("v1x", "v1z", "v2x", "v2z", "w1", "w2"):  # with their arms, as test_impacts() shows, only to 1e-3
+        check(f"sub-model, off-centre impact: {key}", theirs[key], ours[key], 1e-9)
+    for coeff in (granular("pohrt_popov", ratio=1), granular(tangential="force_rescaled")):
+        for newton in ("on", "off"):
+            one, two = (run("split.lmp", ranks=ranks, px=ranks, newton=newton, wet="no", style="granular", coeff=coeff)
+                        for ranks in (1, 2))
+            keys = [k for k in one[0][0] if k not in ("PotEng", "Pxx", "Pyy", "Pzz", "Pxz")]
+            expect(f"{coeff}, newton {newton}: two ranks as one", close(one[1], two[1], 0.0, keys))
+            expect(f"{coeff}, newton {newton}: shears", shear_force(two[1][-1]) > 1)
+    mixed = 1 / ((1 - poisson**2) / young + (1 - 0.22**2) / 70e9)
+    second = f"pair_coeff 2 2 contactlaws/hertz 70e9 0 0.22 tangential contactlaws/force NULL 0 10 damping velocity"
+    row = run("still.lmp", style="granular", coeff=granular(friction=10), types=2, which="1 1", second=second)[-1][-1]
+    check("sub-models of two types: mixed moduli", normal_force(row), hertz(r1 + r2 - distance(row), mixed), 1e-9)
+
+
+def wall_of(law, more="", shape="zplane 0 NULL"):
+    return f"wall/contactlaws/{law} {shape} {glass} {more}"
+
+
+def sub_model_wall(*arguments, shape="zplane 0 NULL", **named):
+    return f"wall/gran granular {granular(*arguments, **named)} {shape}"
+
+
+def test_walls():
+    """Impacts on walls, rest, pressure, history, restart: closed forms, for our fix and for the sub-models."""
+    r = 0.005
+    mass = density * 4 / 3 * math.pi * r**3
+
+    def push(overlap, modulus=e_star, radius=r):
+        return 4 / 3 * modulus * math.sqrt(radius) * overlap**1.5
+
+    def both(ours, theirs):
+        return [("fix", dict(wall=ours))] + ([("sub-model", dict(wall=theirs, ours="no"))] if sub_models else [])
+
+    for e in (1.0, 0.6):
+        for name, wall in both(wall_of("dry_hill", f"restitution {e}"), sub_model_wall(e=e, damping="coeff_restitution")):
+            row = run("wall.lmp", **wall)[0][-1]
+            check(f"wall, {name}: restitution", row["vz"], 0.3 * e, 2e-5)
+            if name == "fix":
+                check("wall: heat of the dashpots", 1 + row["wall[5]"] / (mass * 0.045), 2 - e**2, 1e-4)
+    speed, mu = 0.8, 0.2  # slides to the end: 0.8 > 7/2 mu 2 0.1
+    for name, wall in both(wall_of("dry_hill", f"friction {mu}"), sub_model_wall(friction=mu)):
+        row = run("wall.lmp", vx=speed, vz=-0.1, steps=30000, **wall)[0][-1]
+        check(f"wall, {name}: speed after sliding", row["vx"], speed - 2 * mu * 0.1, 1e-5)
+        check(f"wall, {name}: spin after sliding", row["wy"], 2.5 * 2 * mu * 0.1 / r, 1e-3)  # the arm is R - overlap/2
+        if name == "fix":
+            lost = mass * (speed**2 - row["vx"]**2 + 0.01 - row["vz"]**2) / 2 - 0.2 * mass * r**2 * row["wy"]**2
+            check("wall: heat of friction", row["wall[4]"], lost, 1e-3)
+    soft = "young 1e7 poisson 0.15"
+    rest = run("wall.lmp", wall=f"wall/contactlaws/dry_hill zplane 0 NULL {soft} restitution 0.3", gravity=9.81, vz=0, dt=1e-5,
+               steps=40000)[0][-1]
+    overlap = (mass * 9.81 / push(1, modulus=1e7 / 2 / (1 - poisson**2)))**(2 / 3)
+    check("wall: resting sphere", 0.005 - rest["z"], overlap, 1e-5)
+    check("wall: carries the weight", -rest["wall[3]"], mass * 9.81, 1e-5)
+    check("wall: energy", rest["wall"], 0.4 * mass * 9.81 * overlap, 1e-4)
+
+    # Pressed by 10 um, then sheared by 1 um; the normal force, the shear force and the torque's arm.
+    pressed = dict(motion="moved", vz=-0.1, vx=0.01, steps=10000)
+    for name, wall in both(wall_of("dry_hill", "friction 10"), sub_model_wall(friction=10)):
+        row = run("wall.lmp", **pressed, **wall)[0][-1]
+        check(f"wall, {name}: normal force", row["fz"], push(1e-5), 1e-7)
+        # k grows with the root of the overlap, and the overlap with the slip: two thirds of the last stiffness times the slip
+        check(f"wall, {name}: shear force", -row["fx"], 2 / 3 * 8 * g_star * math.sqrt(r * 1e-5) * 1e-6, 1e-3)
+        check(f"wall, {name}: torque", row["ty"], -row["fx"] * r, 2e-3)
+    steel = 1 / ((1 - poisson**2) / young + (1 - 0.3**2) / 210e9)
+    row = run("wall.lmp", wall=wall_of("dry_hill", "wall_young 210e9 wall_poisson 0.3"), **pressed)[0][-1]
+    check("wall of another material", row["fz"], push(1e-5, steel), 1e-7)
+    row = run("wall.lmp", wall=wall_of("dry_hill", shape="zcylinder 0.02"), motion="moved", x=0.015, vx=0.1, vz=0,
+              steps=10000)[0][-1]
+    check("inside a cylinder", -row["fx"], push(1e-5, radius=1 / (1 / r - 0.5 / 0.02)), 1e-7)
+    row = run("wall.lmp", wall=wall_of("dry_hill", shape="xplane NULL 0.02"), motion="moved", x=0.015, vx=0.1, vz=0,
+              steps=10000)[0][-1]
+    check("upper wall", -row["fx"], push(1e-5), 1e-7)
+    for name, wall in both(wall_of("rough_ballast", f"fractal_dimension {dimension} roughness {roughness}"),
+                           sub_model_wall("pohrt_popov", ratio=1, friction=0)):
+        loaded, unloaded = run("wall.lmp", back=1000, **dict(pressed, vx=0), **wall)
+        check(f"rough wall, {name}", loaded[-1]["fz"], push(rough_depth(1e-5)), 1e-7)
+        check(f"rough wall, {name}: unloading", unloaded[-1]["fz"], push(rough_depth(1e-5) - 1e-6), 1e-6)
+    wet = run("wall.lmp", wall=wall_of("hill", "suction 1e5 wet 1e-4"), motion="moved", vz=0.1, steps=10000)[0]
+    for row in wet[:1] + wet[-1:]:
+        pull = 1e5 * math.pi * r**2 * math.exp(-(row["z"] - r) / (2 * r))
+        check("bridge to a wall", -row["fz"], pull, 1e-6)
+
+    # A sphere that shears on the wall and crosses the boundary between ranks; then from a restart file.
+    style = dict(wall=f"wall/contactlaws/dry_hill zplane 0 NULL {soft} friction 10", x=-0.001, z=0.00495, vx=2, vz=0, dt=1e-6,
+                 steps=2000, keep="yes", file=f"{scratch.name}/wall")
+    one, two = (run("wall.lmp", ranks=ranks, px=ranks, back=2000, **style) for ranks in (1, 2))
+    expect("wall: two ranks as one", close(one[1], two[1], 0.0, ("x", "fx", "fz", "wy")) and abs(one[1][-1]["wy"]) > 1)
+    for ranks in (1, 2):
+        again = run("wall_restarted.lmp", ranks=ranks, back=2000, **{k: style[k] for k in ("wall", "file")})[0]
+        expect(f"wall: restart on {ranks} ranks", close(one[1], again, 1e-9, ("x", "fx", "fz")))
 
 
 def test_pour():
@@ -325,11 +452,33 @@ def test_bad_input():
             (dict(coeff=f"{glass} restitution 1.2"), "restitution"),
             (dict(coeff=f"{glass} wet -1"), "wet is -1 m, must lie in [0, inf)"),
             (dict(style="contactlaws/dry_hill", coeff=f"{glass} wet 0"), "no parameter 'wet'"),
-            (dict(coeff="poisson 0.2"), "types 1 1: ElasticMaterial: young is 0 Pa"),
+            (dict(coeff="poisson 0.2"), "types 1 1: young is missing, must lie in (0, inf) Pa"),
+            (dict(coeff="young 1e9"), "types 1 1: poisson is missing, must lie in (-1, 0.5]"),
+            (dict(style="contactlaws/rough_ballast"), "fractal_dimension is 0, must lie in [2, 3]"),
             (dict(vel="no"), "comm_modify vel yes")):
         output = start("still.lmp", **dict(good, **change))
         expect(f"{change}: error '{message}' in: {[l for l in output.splitlines() if 'ERROR' in l]}",
-               any("ERROR" in line and message in line for line in output.splitlines()))
+               any("ERROR" in line and message in line for line in output.splitlines()) and "terminate called" not in output)
+    for wall, message in (
+            ("dry_hill zplane 0", "the shape is xplane, yplane or zplane LOW HIGH, or zcylinder RADIUS"),
+            ("dry_hill zcylinder -1 young 1e9 poisson 0.2", "radius is -1 m"),
+            ("dry_hill zplane 0 NULL poisson 0.2", "young is missing"),
+            ("dry_hill zplane 0 NULL young", "a value is missing after young"),
+            ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 wall_young 0", "young is 0 Pa, must lie in (0, inf)"),
+            ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 wet 0", "no parameter 'wet'"),
+            ("hill zplane 0 NULL young 1e9 poisson 0.2 suction -1", "suction is -1 Pa")):
+        output = start("wall.lmp", wall=f"wall/contactlaws/{wall}")
+        expect(f"wall {wall}: error '{message}' in: {[l for l in output.splitlines() if 'ERROR' in l]}",
+               any("ERROR: Fix wall/contactlaws/" in line and message in line for line in output.splitlines()))
+    if sub_models:
+        for coeff, message in (
+                ("contactlaws/hertz -1 0 0.2 tangential contactlaws/force NULL 0 0.4", "young is -1 Pa, must lie in (0, inf)"),
+                (f"contactlaws/pohrt_popov {young:g} 0 0.2 3.5 1e-6 tangential contactlaws/force NULL 0 0.4",
+                 "fractal_dimension is 3.5, must lie in [2, 3]"),
+                (f"contactlaws/hertz {young:g} 0 0.2 tangential contactlaws/force NULL 0 -1", "friction is -1"),
+                (f"hertz/material {young:g} 0 0.2 tangential contactlaws/force NULL 0 0.4", "needs a normal model contactlaws/")):
+            output = start("still.lmp", style="granular", coeff=coeff)
+            expect(f"{coeff}: error '{message}'", "ERROR: Granular sub-model contactlaws/" in output and message in output)
     output = start("no_radius.lmp")
     expect("atoms without radius", "atom_style sphere" in output and "ERROR" in output)
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The laws that the adapters of this folder offer by name: one table for all hosts. A law of your own is one line in it, and,
+// where it has a maker, one function make_law().
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "contactlaws/contactlaws.hpp"
+
+namespace contactlaws {
+
+/// Hertz and dashpots with a shear law.
+template <template <class, class...> class Shear>
+using HertzWith = ContactLaw<Hertz<double>, Dashpots<double>, Shear<double>>;
+
+/// Calls visit(name, parameters) for each law. Parameters: those of a maker, or a law, which is its own parameters.
+template <class Visit>
+void visit_laws(const Visit& visit) {
+  visit("smooth_hertz", SmoothHertz<double>());
+  visit("dry_hill", DryHill<double>());
+  visit("dry_hill/rescaled", HertzWith<ShearForceRescaled>());
+  visit("dry_hill/displacement", HertzWith<ShearDisplacement>());
+  visit("dry_hill/displacement_rescaled", HertzWith<ShearDisplacementRescaled>());
+  visit("hill", Hill<double>());
+  visit("rough_ballast", RoughBallastProperties<double>());
+  visit("linear_friction", LinearFrictionProperties<double>());
+  visit("linear_spring_dashpot", LinearSpringDashpotProperties<double>());
+}
+
+/// The law of these parameters. @throws std::invalid_argument naming the one that is out of its range
+template <class... Slots>
+ContactLaw<Slots...> make_law(const ContactLaw<Slots...>& law) {
+  return checked(law);
+}
+inline RoughBallast<double> make_law(const RoughBallastProperties<double>& p) { return rough_ballast(p); }
+inline LinearFriction<double> make_law(const LinearFrictionProperties<double>& p) { return linear_friction(p); }
+inline LinearSpringDashpot<double> make_law(const LinearSpringDashpotProperties<double>& p) {
+  return linear_spring_dashpot(p);
+}
+template <class Parameters>
+using LawOf = decltype(make_law(Parameters()));
+
+/// The spring that a coefficient of restitution is converted for; laws of linear springs read no moduli of the bodies.
+template <class Parameters>
+inline constexpr Spring spring_of = Spring::hertz;
+template <>
+inline constexpr Spring spring_of<LinearFrictionProperties<double>> = Spring::linear;
+template <>
+inline constexpr Spring spring_of<LinearSpringDashpotProperties<double>> = Spring::linear;
+
+/// A material of which nothing is given yet.
+inline ElasticMaterial<double> no_material() {
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  return {missing, missing, 1.0};
+}
+/// The moduli of two materials. @throws std::invalid_argument if a value is missing or out of its range
+inline EffectiveModuli<double> given_moduli(const ElasticMaterial<double>& a, const ElasticMaterial<double>& b) {
+  for (const auto& material : {a, b})
+    visit_parameters(material, [](const char*, const auto& p, double value) {
+      if (value != value) reject(std::string(p.name) + " is missing, must lie in " + to_string(p.range) + ' ' + p.unit);
+    });
+  return effective_moduli(a, b);
+}
+
+/// Sets a parameter by name; `restitution` sets the damping constant. @throws std::invalid_argument listing the names
+template <class Parameters>
+void set_law_parameter(Parameters& parameters, const std::string& name, double value) {
+  if (name == "restitution") {
+    set_parameter(parameters, "damping_constant", damping_constant(value, spring_of<Parameters>, Tension::allowed));
+  } else {
+    set_parameter(parameters, name, value);
+  }
+}
+
+}  // namespace contactlaws
