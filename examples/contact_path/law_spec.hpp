@@ -188,6 +188,9 @@ inline const auto& normal_laws() {
       law<Hertz>("hertz", "F = 4/3 E* sqrt(R*) o^(3/2)", {"effective_radius", "effective_young"}, {}, Spring::hertz),
       law<Dmt>("dmt", "hertz less the constant pull 2 pi w R* while it touches",
                {"effective_radius", "effective_young"}),
+      law<ThorntonNing>("thornton_ning",
+                        "hertz up to the yield pressure, linear beyond; unloading with a flattened radius",
+                        {"effective_radius", "effective_young"}),
       rough_law<PohrtPopov>("pohrt_popov", "rough surfaces, elastic"),
       rough_law<RoughFresh, RoughSameSpot>(
           "pohrt_popov_elasto_plastic", "rough surfaces that flatten: unloading along Hertz's curve, in closed form",

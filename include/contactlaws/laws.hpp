@@ -16,6 +16,7 @@
 #include "contactlaws/normal/hertz.hpp"
 #include "contactlaws/normal/linear.hpp"
 #include "contactlaws/normal/pohrt_popov.hpp"
+#include "contactlaws/normal/thornton_ning.hpp"
 
 namespace contactlaws {
 
@@ -43,6 +44,11 @@ using LinearSpringDashpot = ContactLaw<LinearSpring<T>, Dashpots<T, tension>, Sh
 /// State: the largest overlap and the shear force.
 template <class T>
 using RoughBallast = ContactLaw<PohrtPopovElastoPlastic<T>, NoDashpots<T>, ShearForce<T, ConstantRatio<T>>>;
+
+/// Grains that yield: Thornton-Ning with Mindlin's shear and friction, for metals and soft salts. State: the largest overlap and the
+/// shear force.
+template <class T>
+using PlasticGrains = ContactLaw<ThorntonNing<T>, NoDashpots<T>, ShearForce<T>>;
 
 /// First member of the properties: a list of numbers in braces does not compile, so none can land in the wrong place.
 struct ByName {
@@ -127,6 +133,19 @@ struct RoughBallastProperties {
 };
 
 template <class T>
+struct PlasticGrainsProperties {
+  ByName by_name = ByName();
+  T yield_pressure = T(0);  ///< p_y [Pa]
+  T friction = T(0);        ///< mu [1]
+
+  static constexpr const char* name = "PlasticGrainsProperties";
+  static constexpr std::array<Parameter<PlasticGrainsProperties, T>, 2> parameters() {
+    return {{{"yield_pressure", "Pa", &PlasticGrainsProperties::yield_pressure, Range::any()},
+             {"friction", "1", &PlasticGrainsProperties::friction, Range::any()}}};
+  }
+};
+
+template <class T>
 SmoothHertz<T> smooth_hertz() {
   return {};
 }
@@ -173,6 +192,14 @@ RoughBallast<T> rough_ballast(const RoughBallastProperties<T>& properties) {
   law.normal = PohrtPopovElastoPlastic<T>::of({properties.fractal_dimension, properties.roughness});
   law.shear.friction = properties.friction;
   law.shear.ratio = properties.stiffness_ratio;
+  return checked(law);
+}
+
+template <class T>
+PlasticGrains<T> plastic_grains(const PlasticGrainsProperties<T>& properties) {
+  PlasticGrains<T> law;
+  law.normal.yield_pressure = properties.yield_pressure;
+  law.shear.friction = properties.friction;
   return checked(law);
 }
 

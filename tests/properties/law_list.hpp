@@ -57,6 +57,7 @@ void visit_each_slot(const Visit& visit) {
         compose(PohrtPopovElastoPlastic<T, Recontact::same_spot>::of(s.ballast), s.normal_only,
                 ShearForceRescaled<T, ElasticRatio<T>>{s.elastic_ratio, 0.5}, s.dry));
   visit("Dmt", 3, compose(Dmt<T>{0.05}, s.two_constants, ShearForce<T>{s.mindlin, 0.4}, s.dry));
+  visit("ThorntonNing", 4, compose(ThorntonNing<T>{3e8}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("Hertz rolling", 6, compose(s.hertz, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit(
       "Static and kinetic friction", 5,
