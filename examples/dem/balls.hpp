@@ -32,6 +32,7 @@ struct Ball {
   Vec3 velocity = Vec3::Zero();           ///< [m/s]
   Vec3 spin = Vec3::Zero();               ///< [rad/s]
   bool free = true;  ///< false: velocity and spin are prescribed. The mass counts in m* all the same.
+  int group = -1;    ///< the rigid body that it is a part of, which moves it (clumps.hpp); -1 for none
 };
 
 struct Balls {
@@ -45,6 +46,8 @@ struct Balls {
   std::vector<double> inertia;                         ///< 2/5 m R^2 [kg m^2]
   std::vector<contactlaws::ContactBody<double>> side;  ///< input of pair_properties()
   std::vector<char> free;                              ///< whether forces move it
+  std::vector<int>
+      group;  ///< the rigid body that it is a part of; no contact acts between two of one body. -1 for none
 
   std::size_t size() const { return position.size(); }
 
@@ -61,6 +64,7 @@ struct Balls {
     inertia.emplace_back();
     side.emplace_back();
     free.push_back(ball.free);
+    group.push_back(ball.group);
     set_body(size() - 1, ball.side);
     return static_cast<int>(size()) - 1;
   }
