@@ -56,8 +56,10 @@ struct WallMotion {
     const Wall& w = walls[wall[0]];
     const std::size_t b = ball[0];
     const contactlaws::BodyMotion<double> body{balls.position[b], balls.velocity[b], balls.spin[b]};
-    const auto geometry = contactlaws::plane_sphere<double>(w.point, w.facing, body.position, balls.radius[b]);
-    return {geometry, contactlaws::contact_kinematics<double>(geometry, w.motion(), body, dt)};
+    Vec3 normal;
+    const contactlaws::BodyMotion<double> plane = w.nearest(body.position, normal);
+    const auto geometry = contactlaws::plane_sphere<double>(plane.position, normal, body.position, balls.radius[b]);
+    return {geometry, contactlaws::contact_kinematics<double>(geometry, plane, body, dt)};
   }
 };
 

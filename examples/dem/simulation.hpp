@@ -209,8 +209,12 @@ class Simulation {
       }
     });
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      walls[w].point += walls[w].velocity * drift;
-      if ((walls[w].point - listed_at_[balls.size() + w]).squaredNorm() > allowed) far = true;
+      Wall& wall = walls[w];
+      const Row& listed = listed_at_[balls.size() + w];
+      wall.point += wall.velocity * drift;
+      wall.radius += wall.radial_velocity * drift;
+      const double moved = (wall.point - listed).norm() + std::abs(wall.radius - listed.w);
+      if (moved * moved > allowed) far = true;
     }
     return far;
   }
@@ -248,7 +252,10 @@ class Simulation {
         [this](std::size_t w, std::size_t b) { return contactlaws::pair_properties(walls[w].side, balls.side[b]); },
         wall_overlap);
     listed_at_ = balls.position;
-    for (const Wall& wall : walls) listed_at_.push_back(wall.point);
+    for (const Wall& wall : walls) {
+      listed_at_.push_back(wall.point);
+      listed_at_.back().w = wall.radius;
+    }
   }
 
   // Forces ------------------------------------------------------------------------------------------------------------
@@ -278,6 +285,13 @@ class Simulation {
       Load load;
       wall_contacts.add_first(w, load);
       walls[w].force = load.force.head<3>();
+      walls[w].normal_force = 0.0;
+    }
+    for (std::size_t c = 0; c < wall_contacts.size(); ++c) {
+      Wall& wall = walls[wall_contacts.first(c)];
+      Vec3 normal;
+      wall.nearest(balls.position[wall_contacts.second(c)], normal);
+      wall.normal_force += normal.dot(wall_contacts.force[c]);
     }
   }
 };

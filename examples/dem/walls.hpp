@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walls: planes, at rest or driven at a prescribed velocity.
+// Walls: planes, and a cylinder with the balls inside. At rest or driven at a prescribed velocity.
 #pragma once
 
 #include <array>
@@ -10,19 +10,34 @@
 
 namespace dem {
 
-/// A plane through `point`. Balls are on the side that `facing` points to.
+/// A plane through `point`, with the balls on the side that `facing` points to; or, where `radius` > 0, a cylinder about the
+/// axis through `point` along `facing`, with the balls inside. A ball meets a cylinder as it meets the plane that touches the
+/// cylinder at the point nearest to the ball.
 struct Wall {
   contactlaws::ContactBody<double> side;  ///< elasticity: contactlaws::plane(material), perhaps .rigid()
   Vec3 point;                             ///< [m]
   Vec3 facing;                            ///< unit vector
   Vec3 velocity = Vec3::Zero();           ///< [m/s]
   Vec3 force = Vec3::Zero();              ///< of all contacts on the wall [N]
+  double radius = 0.0;                    ///< of a cylinder [m]
+  double radial_velocity = 0.0;           ///< of a cylinder, outward [m/s]
+  double normal_force = 0.0;  ///< sum of the components along the normals of the contacts; compression > 0 [N]
 
-  contactlaws::BodyMotion<double> motion() const { return {point, velocity, Vec3::Zero()}; }
+  /// The plane that a ball at `position` meets.
+  contactlaws::BodyMotion<double> nearest(const Vec3& position, Vec3& normal) const {
+    normal = facing;
+    if (!(radius > 0.0)) return {point, velocity, Vec3::Zero()};
+    const Vec3 from_axis = position - point;
+    const Vec3 outward = from_axis - facing * facing.dot(from_axis);
+    const double distance = outward.norm();
+    normal = distance > 0.0 ? Vec3(-outward / distance) : Vec3(facing.unitOrthogonal());
+    return {position - outward - normal * radius, velocity - normal * radial_velocity, Vec3::Zero()};
+  }
 };
 
-/// @throws std::invalid_argument unless `facing` has a length of 1
+/// @throws std::invalid_argument unless `facing` has a length of 1 and the radius is not negative
 inline void check(const Wall& wall) {
+  contactlaws::require_in(contactlaws::Range::not_negative(), wall.radius, "Wall", "radius", "m");
   // Rounding errors of a normalised vector are below 1e-15.
   contactlaws::require_in(contactlaws::Range::closed(1.0 - 1e-9, 1.0 + 1e-9), wall.facing.norm(), "Wall",
                           "the length of facing", "1");
