@@ -21,7 +21,8 @@ namespace dem {
 template <class Scene>
 double stable_time_step(const Scene& scene, const Clumps& clumps, double nominal) {
   std::vector<contactlaws::BodyStiffness<double>> sums(clumps.size());
-  const auto add = [&](std::size_t ball, const contactlaws::ContactStiffness<double>& k, const Vec3& normal, const Vec3& arm) {
+  const auto add = [&](std::size_t ball, const contactlaws::ContactStiffness<double>& k, const Vec3& normal,
+                       const Vec3& arm) {
     if (scene.balls.group[ball] < 0) return;
     const auto id = static_cast<std::size_t>(scene.balls.group[ball]);
     const Vec3 from_centre = scene.balls.position[ball] + arm - clumps.all[id].position;

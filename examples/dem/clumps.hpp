@@ -180,7 +180,7 @@ class Clumps {
     for (; ids != end; ++ids) {
       const std::size_t b = *ids;
       const Vec3 arm = axes * arm_[b];
-      const Vec3 half_a_step_ago = arm - c.spin.cross(arm) * (scene.time_step / 2.0);
+      const Vec3 half_a_step_ago = arm - c.spin.cross(arm) * (scene.last_step / 2.0);
       scene.balls.position[b] = c.position + arm;
       scene.balls.velocity[b] = c.velocity + c.spin.cross(half_a_step_ago);
       scene.balls.spin[b] = c.spin;

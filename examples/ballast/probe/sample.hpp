@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "common/progress.hpp"
+#include "dem/checkpoint.hpp"
 #include "dem/clump_measures.hpp"
 #include "laws.hpp"
 #include "shapes.hpp"
@@ -37,6 +38,20 @@ struct SampleSize {
   std::uint64_t seed = 1;
 };
 
+inline void to_json(nlohmann::json& json, const Grain& grain) {
+  const Eigen::Quaterniond& q = grain.orientation;
+  json = {grain.shape, grain.size, grain.position, nlohmann::json{q.w(), q.x(), q.y(), q.z()}};
+}
+inline void from_json(const nlohmann::json& json, Grain& grain) {
+  json.at(0).get_to(grain.shape);
+  json.at(1).get_to(grain.size);
+  json.at(2).get_to(grain.position);
+  const nlohmann::json& q = json.at(3);
+  grain.orientation = Eigen::Quaterniond(q.at(0), q.at(1), q.at(2), q.at(3));
+}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sample, radius, height, grains)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SampleSize, diameter, height, voids_ratio, seed)
+
 /// Random numbers that are the same on every machine.
 class Draw {
  public:
@@ -59,7 +74,8 @@ class Draw {
 /// Grains whose volume fills the vessel at the voids ratio. Each new one is of the sieve class that lacks most; the shapes take
 /// turns. At the end all sizes are scaled by a little, so that the volume is exact.
 inline std::vector<Grain> draw_grains(const SampleSize& size, const std::vector<dem::ClumpShape>& shapes, Draw& draw) {
-  const double wanted = contactlaws::pi<double>() / 4.0 * size.diameter * size.diameter * size.height / (1.0 + size.voids_ratio);
+  const double wanted =
+      contactlaws::pi<double>() / 4.0 * size.diameter * size.diameter * size.height / (1.0 + size.voids_ratio);
   std::array<double, ballast_sizes.size()> lacking{};
   for (std::size_t k = 0; k < lacking.size(); ++k) lacking[k] = ballast_sizes[k].share * wanted;
   std::vector<Grain> grains;
@@ -78,7 +94,8 @@ inline std::vector<Grain> draw_grains(const SampleSize& size, const std::vector<
 }
 
 /// Random places, apart from each other, in a vessel of this radius and height [m]; the largest first.
-inline void scatter(std::vector<Grain>& grains, const std::vector<dem::ClumpShape>& shapes, double radius, double height, Draw& draw) {
+inline void scatter(std::vector<Grain>& grains, const std::vector<dem::ClumpShape>& shapes, double radius,
+                    double height, Draw& draw) {
   std::sort(grains.begin(), grains.end(), [](const Grain& a, const Grain& b) { return a.size > b.size; });
   const auto reach = [&shapes](const Grain& grain) { return shapes[grain.shape].reach * grain.size; };
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -159,7 +176,8 @@ inline void shrink(Sample& sample, const std::vector<dem::ClumpShape>& shapes, d
 }
 
 /// Lets grains that overlap drive each other apart under Hertz's law, without friction, for `duration` [s].
-inline void relax(Sample& sample, const std::vector<dem::ClumpShape>& shapes, double duration, double nominal_stiffness) {
+inline void relax(Sample& sample, const std::vector<dem::ClumpShape>& shapes, double duration,
+                  double nominal_stiffness) {
   Specimen<Hertz> specimen(make_law<Hertz>(0.0), boundary_law(), shapes, sample);
   auto& scene = specimen.scene;
   while (scene.time < duration) {
@@ -176,7 +194,8 @@ inline void relax(Sample& sample, const std::vector<dem::ClumpShape>& shapes, do
 /// A stiffness that contacts of this sample reach under the pressure [N/m]: Hertz's under a force of p d^2, d a grain's size.
 inline double nominal_stiffness(double pressure) {
   constexpr double size = 40e-3, pebble = 6e-3;
-  const auto pair = contactlaws::pair_properties(contactlaws::sphere(granite, pebble), contactlaws::sphere(granite, pebble));
+  const auto pair =
+      contactlaws::pair_properties(contactlaws::sphere(granite, pebble), contactlaws::sphere(granite, pebble));
   const double force = pressure * size * size;
   return std::cbrt(6.0 * pair.effective_young * pair.effective_young * force * pair.effective_radius);
 }

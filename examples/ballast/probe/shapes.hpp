@@ -43,7 +43,8 @@ inline std::vector<Face> faces_of(const GrainShape& shape) {
   const double golden_angle = contactlaws::pi<double>() * (3.0 - std::sqrt(5.0));
   std::vector<Face> faces;
   for (int i = 0; i < count; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count, across = std::sqrt(1.0 - z * z), turn = golden_angle * i + shape.phase;
+    const double z = 1.0 - (2.0 * i + 1.0) / count, across = std::sqrt(1.0 - z * z),
+                 turn = golden_angle * i + shape.phase;
     const Vec3 normal(across * std::cos(turn), across * std::sin(turn), z);
     const double cut = 0.86 + 0.14 * std::abs(std::sin(2.7 * i + shape.phase));
     faces.push_back({normal, cut * normal.cwiseProduct(shape.axes).norm()});
@@ -68,18 +69,22 @@ inline std::vector<dem::Pebble> filled(const std::vector<Face>& faces, std::size
     if (radius > 0.0) empty.push_back(place);
     if (radius >= smallest) candidates.push_back({place, radius});
   }
-  const auto fills = [](const dem::Pebble& p, const Vec3& x) { return (x - p.centre).squaredNorm() < p.radius * p.radius; };
+  const auto fills = [](const dem::Pebble& p, const Vec3& x) {
+    return (x - p.centre).squaredNorm() < p.radius * p.radius;
+  };
   std::vector<dem::Pebble> pebbles;
   while (pebbles.size() < count) {
     std::size_t best = 0;
     std::ptrdiff_t most = -1;
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-      const auto filling = std::count_if(empty.begin(), empty.end(), [&](const Vec3& x) { return fills(candidates[c], x); });
+      const auto filling =
+          std::count_if(empty.begin(), empty.end(), [&](const Vec3& x) { return fills(candidates[c], x); });
       if (filling > most) best = c, most = filling;
     }
     const dem::Pebble chosen = candidates[best];
     pebbles.push_back(chosen);
-    empty.erase(std::remove_if(empty.begin(), empty.end(), [&](const Vec3& x) { return fills(chosen, x); }), empty.end());
+    empty.erase(std::remove_if(empty.begin(), empty.end(), [&](const Vec3& x) { return fills(chosen, x); }),
+                empty.end());
   }
   return pebbles;
 }

@@ -12,62 +12,16 @@
 // timings), so that each decade of strain takes about as long.
 #pragma once
 
-#include <string>
-#include <vector>
+#include <numeric>
 
+#include "dem/cases.hpp"
+#include "dem/clump_checkpoint.hpp"
+#include "dem/energy_watch.hpp"
 #include "micro.hpp"
 #include "sample.hpp"
+#include "test_state.hpp"
 
 namespace probe {
-
-enum class Phase { settle, confine, rest, load, hold, unload, done };
-inline const std::array<const char*, 7> phase_names{{"settle", "confine", "rest", "load", "hold", "unload", "done"}};
-
-struct TestPlan {
-  double pressure = 150e3;         ///< [Pa]
-  double settle_time = 0.1;        ///< [s]
-  double confine_time = 0.5;       ///< [s]
-  double unbalanced = 1e-7;        ///< mean unbalanced force over mean contact force at which rest ends [1]
-  double longest_rest = 2.0;       ///< then the probe begins all the same, and says so [s]
-  double hold_time = 0.03;         ///< [s]
-  double slowest = 1e-8;           ///< speed of the bottom platen [m/s]
-  double fastest = 1e-3;           ///< [m/s]
-  double strain_slow = 1e-9;       ///< strain up to which it is slowest [1]
-  double strain_fast = 1e-4;       ///< strain from which it is fastest [1]
-  double most_strain = 1e-3;       ///< axial, at the end of loading [1]
-  int points_per_decade = 20;      ///< of strain
-  double safety = 0.6;             ///< share of the stable step
-};
-
-/// One row of a curve.
-struct Point {
-  double phase_strain;  ///< since the phase began, > 0 [1]
-  double strain;        ///< since loading began [1]
-  double axial, radial;              ///< stress on the platens and on the cylinder [Pa]
-  double branch_axial, branch_radial;  ///< stress from branch vectors between grains [Pa]
-  double coordination, touching_grains, fabric;
-  double contacts, virgin, unloading, reloading;  ///< numbers
-  double virgin_direction, unloading_direction, reloading_direction;  ///< to the horizontal [degrees]
-  double force_over_largest, unbalanced;
-
-  double deviator() const { return axial - radial; }
-};
-
-/// All of a test that changes, apart from scene and clumps.
-struct TestState {
-  Phase phase = Phase::settle;
-  double phase_start = 0.0;      ///< [s]
-  double height = 0.0;           ///< before loading [m]
-  double start_place = 0.0;      ///< of the bottom platen when the phase began [m]
-  double first_place = 0.0;      ///< of the bottom platen when loading began [m]
-  double first_deviator = 0.0;   ///< [Pa]
-  double next_point = 0.0;       ///< strain of the phase at which a point is due [1]
-  double rest_unbalanced = 0.0;  ///< at the end of rest [1]
-  double rest_time = 0.0;        ///< [s]
-  double voids_ratio = 0.0;      ///< at the end of rest [1]
-  double largest_force = 0.0;    ///< of a contact, at the end of loading [N]
-  std::vector<Point> load, unload;
-};
 
 template <class Law>
 class Test {
@@ -78,6 +32,7 @@ class Test {
 
   Test(const TestPlan& test_plan, const std::vector<dem::ClumpShape>& shapes, const Sample& sample)
       : plan(test_plan), specimen(make_law<Law>(friction), boundary_law(), shapes, sample) {
+    state.at_rest = sample;
     specimen.scene.gravity = {0.0, 0.0, -9.81};
     specimen.vessel.top_moves = true;
     for (const dem::Clump& clump : specimen.clumps.all) solid_volume_ += clump.mass / granite.density;
@@ -87,22 +42,56 @@ class Test {
   double unbalanced() const { return dem::unbalanced_force(specimen.scene, specimen.clumps); }
   Micro micro() const { return observe(specimen.scene, specimen.clumps, solid_volume_); }
 
+  /// Runs the test to its end, from where an earlier run left it. @throws common::Stopped; std::runtime_error if a step is
+  /// unstable or a grain leaves the vessel
+  TestState run(dem::CaseControl& control) {
+    if (control.resume(specimen.scene, *this)) dem::clumps_from_json(saved_clumps_, specimen.clumps, specimen.scene);
+    while (state.phase != Phase::done) {
+      step();
+      if (specimen.scene.steps % look_every == 0) {
+        check();
+        control.between_steps(specimen.scene, *this, share_done());
+      }
+    }
+    return state;
+  }
+
   /// One step of the test.
   void step() {
     auto& scene = specimen.scene;
-    if (scene.steps % 100 == 0) {
+    if (scene.steps % look_every == 0) {
       specimen.clumps.start(scene);
       scene.time_step = plan.safety * dem::stable_time_step(scene, specimen.clumps, nominal_);
     }
-    control();
+    control_walls();
     specimen.step();
-    if (state.phase == Phase::load || state.phase == Phase::unload) record_if_due();
-    if (scene.steps % 50 == 0 || state.phase == Phase::load || state.phase == Phase::unload) end_phase_if_due();
+    watch_.add_step(scene);
+    const bool probes = state.phase == Phase::load || state.phase == Phase::unload;
+    if (probes) record_if_due();
+    if (scene.steps % look_every == 0 || probes) end_phase_if_due();
+  }
+
+  friend void to_json(nlohmann::json& json, const Test& test) {
+    json = {{"test", test.state},
+            {"pressure", test.specimen.vessel.pressure},
+            {"top_moves", test.specimen.vessel.top_moves},
+            {"side_moves", test.specimen.vessel.side_moves},
+            {"clumps", dem::clumps_to_json(test.specimen.clumps)}};
+  }
+  friend void from_json(const nlohmann::json& json, Test& test) {
+    json.at("test").get_to(test.state);
+    json.at("pressure").get_to(test.specimen.vessel.pressure);
+    json.at("top_moves").get_to(test.specimen.vessel.top_moves);
+    json.at("side_moves").get_to(test.specimen.vessel.side_moves);
+    test.saved_clumps_ = json.at("clumps");
   }
 
  private:
   double solid_volume_ = 0.0;  ///< [m^3]
   double nominal_ = 0.0;       ///< [N/m]
+  dem::EnergyWatch watch_;
+  nlohmann::json saved_clumps_;                    ///< restored after the scene is
+  static constexpr std::int64_t look_every = 100;  ///< steps between two looks at time step, energy and equilibrium
 
   double phase_time() const { return specimen.scene.time - state.phase_start; }
   double bottom() const { return specimen.scene.walls[Vessel::bottom].point.z(); }
@@ -110,14 +99,21 @@ class Test {
   double deviator() const { return Vessel::axial_stress(specimen.scene) - Vessel::radial_stress(specimen.scene); }
 
   /// Pressure and speed of the bottom platen for the next step.
-  void control() {
+  void control_walls() {
     auto& scene = specimen.scene;
     double speed = 0.0;
     switch (state.phase) {
-      case Phase::confine: specimen.vessel.pressure = plan.pressure * std::min(1.0, phase_time() / plan.confine_time); break;
-      case Phase::load: speed = probe_speed(); break;
-      case Phase::unload: speed = -probe_speed(); break;
-      default: break;
+      case Phase::confine:
+        specimen.vessel.pressure = plan.pressure * std::min(1.0, phase_time() / plan.confine_time);
+        break;
+      case Phase::load:
+        speed = probe_speed();
+        break;
+      case Phase::unload:
+        speed = -probe_speed();
+        break;
+      default:
+        break;
     }
     scene.walls[Vessel::bottom].velocity = {0.0, 0.0, speed};
   }
@@ -136,26 +132,93 @@ class Test {
     const auto& scene = specimen.scene;
     const Micro now = micro();
     const auto number = [](const Branch& branch) { return static_cast<double>(branch.count); };
-    const Point point{phase_strain(), (bottom() - state.first_place) / state.height, Vessel::axial_stress(scene),
-                      Vessel::radial_stress(scene), now.stress(2, 2), (now.stress(0, 0) + now.stress(1, 1)) / 2.0,
-                      now.coordination, now.touching_grains, now.fabric, number(now.all), number(now.virgin),
-                      number(now.unloading), number(now.reloading), now.virgin.direction(), now.unloading.direction(),
-                      now.reloading.direction(), now.force_over_largest, unbalanced()};
+    const Point point{phase_strain(),
+                      (bottom() - state.first_place) / state.height,
+                      Vessel::axial_stress(scene),
+                      Vessel::radial_stress(scene),
+                      now.stress(2, 2),
+                      (now.stress(0, 0) + now.stress(1, 1)) / 2.0,
+                      now.coordination,
+                      now.touching_grains,
+                      now.fabric,
+                      number(now.all),
+                      number(now.virgin),
+                      number(now.unloading),
+                      number(now.reloading),
+                      now.virgin.direction(),
+                      now.unloading.direction(),
+                      now.reloading.direction(),
+                      now.force_over_largest,
+                      unbalanced()};
     (state.phase == Phase::load ? state.load : state.unload).push_back(point);
     state.largest_force = std::max(state.largest_force, now.largest_force);
   }
 
+  /// Loads copies of the specimen, each when the unbalanced force has fallen to the next of the levels.
+  void probe_noise() {
+    const std::size_t next = state.noise.size();
+    if (next >= plan.noise_levels.size() || state.rest_unbalanced > plan.noise_levels[next]) return;
+    Test copy = *this;
+    copy.plan.noise_levels.clear();
+    copy.plan.unbalanced = 1.0;
+    copy.plan.most_strain = plan.noise_strain;
+    while (copy.state.phase != Phase::hold) {
+      common::stop_if_requested();
+      copy.step();
+      if (copy.state.phase == Phase::rest) copy.end_phase_if_due();
+    }
+    state.noise.push_back({state.rest_unbalanced, copy.state.load});
+  }
+
+  /// @throws std::runtime_error if a step is unstable or a grain has left the vessel
+  void check() {
+    const auto& scene = specimen.scene;
+    watch_.look(scene, dem::kinetic_energy(specimen.clumps), potential_energy());
+    const double radius = scene.walls[Vessel::side].radius, low = bottom(), high = low + Vessel::height(scene);
+    for (std::size_t i = 0; i < specimen.clumps.size(); ++i) {
+      const Vec3& place = specimen.clumps.all[i].position;
+      if (std::hypot(place.x(), place.y()) < radius && place.z() > low && place.z() < high) continue;
+      throw std::runtime_error(
+          "grain " + std::to_string(i) + " has left the vessel at " + std::to_string(scene.time) + " s (step " +
+          std::to_string(scene.steps) + ", phase " + phase_names[static_cast<std::size_t>(state.phase)] +
+          "). Try a smaller share of the stable step (--safety) or a slower confinement (--confine).");
+    }
+  }
+  double potential_energy() const {
+    double sum = 0.0;
+    for (const dem::Clump& c : specimen.clumps.all) sum -= c.mass * specimen.scene.gravity.dot(c.position);
+    return sum;
+  }
+
+  /// Share of the work, from the time that each phase takes; rest is a guess.
+  double share_done() const {
+    const double height = Vessel::height(specimen.scene), growth = std::log(plan.strain_fast / plan.strain_slow) + 1.0;
+    const double load = height / plan.fastest * (plan.most_strain + plan.strain_fast * growth);
+    const std::array<double, 7> times{
+        {plan.settle_time, plan.confine_time, 0.15, load, plan.hold_time, 0.9 * load, 0.0}};
+    const auto phase = static_cast<std::size_t>(state.phase);
+    const double all = std::accumulate(times.begin(), times.end(), 0.0);
+    return (std::accumulate(times.begin(), times.begin() + phase, 0.0) + std::min(times[phase], phase_time())) / all;
+  }
+
   bool phase_is_over() {
     switch (state.phase) {
-      case Phase::settle: return phase_time() >= plan.settle_time;
-      case Phase::confine: return phase_time() >= plan.confine_time;
+      case Phase::settle:
+        return phase_time() >= plan.settle_time;
+      case Phase::confine:
+        return phase_time() >= plan.confine_time;
       case Phase::rest:
         state.rest_unbalanced = unbalanced();
+        probe_noise();
         return state.rest_unbalanced <= plan.unbalanced || phase_time() >= plan.longest_rest;
-      case Phase::load: return phase_strain() >= plan.most_strain;
-      case Phase::hold: return phase_time() >= plan.hold_time;
-      case Phase::unload: return deviator() <= state.first_deviator || phase_strain() >= plan.most_strain;
-      case Phase::done: return false;
+      case Phase::load:
+        return phase_strain() >= plan.most_strain;
+      case Phase::hold:
+        return phase_time() >= plan.hold_time;
+      case Phase::unload:
+        return deviator() <= state.first_deviator || phase_strain() >= plan.most_strain;
+      case Phase::done:
+        return false;
     }
     return false;
   }
@@ -166,9 +229,12 @@ class Test {
     if (state.phase == Phase::rest) {
       state.rest_time = phase_time();
       state.voids_ratio = Vessel::area(scene) * Vessel::height(scene) / solid_volume_ - 1.0;
+      state.identity = micro().missing();
+      specimen.take_places(state.at_rest);
     }
     if (state.phase == Phase::load || state.phase == Phase::unload) record();
     state.phase = static_cast<Phase>(static_cast<int>(state.phase) + 1);
+    if (state.phase == Phase::hold && !plan.unloads) state.phase = Phase::done;
     state.phase_start = scene.time;
     state.start_place = bottom();
     state.next_point = plan.strain_slow;

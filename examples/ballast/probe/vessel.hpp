@@ -16,9 +16,9 @@ struct Vessel {
   static constexpr double platen_mass_per_area = 312.0;  ///< [kg/m^2]
   static constexpr double side_mass_per_area = 4.0;      ///< [kg/m^2]
 
-  double pressure = 0.0;   ///< outside of the cylinder and on the top platen [Pa]
-  double platen_mass = 0;  ///< [kg]
-  double side_mass = 0.0;  ///< [kg]
+  double pressure = 0.0;    ///< outside of the cylinder and on the top platen [Pa]
+  double platen_mass = 0;   ///< [kg]
+  double side_mass = 0.0;   ///< [kg]
   bool top_moves = false;   ///< whether forces move the top platen up and down
   bool side_moves = false;  ///< whether forces move the cylinder
 
