@@ -28,8 +28,8 @@ int run_program(CLI::App& app, int argc, char** argv, const Run& run) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout.flush())
       throw InputError("the standard output cannot be written");
     return status;
-  } catch (const Stopped&) {
-    std::cerr << app.get_name() << ": stopped, nothing is written\n";
+  } catch (const Stopped& stopped) {
+    std::cerr << app.get_name() << ": stopped, " << stopped.what << '\n';
     return stop_status();
   } catch (const std::exception& fault) {
     std::cerr << app.get_name() << ": " << fault.what() << '\n';

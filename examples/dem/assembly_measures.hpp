@@ -64,8 +64,8 @@ inline Eigen::Matrix3d unbalanced_stress(const Balls& balls, double volume) {
 }
 
 struct Coordination {
-  double mean = 0.0;         ///< active contacts with other balls, per ball [1]
-  std::size_t rattlers = 0;  ///< balls with fewer than three active contacts, walls included
+  double mean = 0.0;         ///< other balls that a ball touches [1]
+  std::size_t rattlers = 0;  ///< balls that touch fewer than three bodies, walls included
 };
 template <class Scene>
 Coordination coordination(const Scene& scene) {
@@ -73,7 +73,7 @@ Coordination coordination(const Scene& scene) {
   double between_balls = 0.0;
   detail::for_each_contact(scene,
                            [&](const auto&, const auto& list, std::size_t c, const auto& outcome, bool ball_first) {
-                             if (!outcome.response.active) return;
+                             if (!(outcome.geometry.overlap > 0.0)) return;
                              ++contacts[list.second(c)];
                              if (!ball_first) return;
                              ++contacts[list.first(c)];

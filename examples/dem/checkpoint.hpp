@@ -97,31 +97,48 @@ void histories_from_json(const nlohmann::json& list, Contacts<Law, Pack>& contac
 
 }  // namespace detail
 
-/// @throws common::InputError naming the file that cannot be written
+/// The state of a scene. Laws, skin and threads belong to the program that builds the scene.
 template <class Scene>
-void save(const std::string& path, const Scene& scene) {
-  nlohmann::json checkpoint;
-  detail::for_each_member(scene, [&](const char* name, const auto& member) { checkpoint[name] = member; });
-  checkpoint["ball_contacts"] = detail::histories_to_json(scene.ball_contacts);
-  checkpoint["wall_contacts"] = detail::histories_to_json(scene.wall_contacts);
-  common::OutputFile file(path);
-  file.stream() << checkpoint.dump(1) << '\n';
-  file.complete();
+nlohmann::json scene_to_json(const Scene& scene) {
+  nlohmann::json state;
+  detail::for_each_member(scene, [&](const char* name, const auto& member) { state[name] = member; });
+  state["ball_contacts"] = detail::histories_to_json(scene.ball_contacts);
+  state["wall_contacts"] = detail::histories_to_json(scene.wall_contacts);
+  return state;
+}
+/// Restores it, in a scene with the same laws and the same number of bodies. @throws std::runtime_error if it holds another
+/// number of bodies
+template <class Scene>
+void scene_from_json(const nlohmann::json& state, Scene& scene) {
+  if (state.at("position").size() != scene.balls.size() || state.at("walls").size() != scene.walls.size())
+    throw std::runtime_error("the saved scene has another number of bodies");
+  detail::for_each_member(scene, [&](const char* name, auto& member) { state.at(name).get_to(member); });
+  detail::histories_from_json(state.at("ball_contacts"), scene.ball_contacts);
+  detail::histories_from_json(state.at("wall_contacts"), scene.wall_contacts);
+  scene.resume();
 }
 
-/// Restores what save() wrote, in a scene with the same laws and the same number of bodies. @throws std::runtime_error if the
-/// file cannot be read, or holds another number of bodies
+/// @throws common::InputError naming the file that cannot be written
+inline void write_checkpoint(const std::string& path, const nlohmann::json& checkpoint) {
+  common::OutputFile file(path);
+  file.stream() << checkpoint.dump() << '\n';
+  file.complete();
+}
+template <class Scene>
+void save(const std::string& path, const Scene& scene) {
+  write_checkpoint(path, scene_to_json(scene));
+}
+
+/// Restores what save() wrote. @throws std::runtime_error naming the file if it cannot be read or holds another number of bodies
 template <class Scene>
 void restore(const std::string& path, Scene& scene) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
-  const nlohmann::json checkpoint = nlohmann::json::parse(file);
-  if (checkpoint.at("position").size() != scene.balls.size() || checkpoint.at("walls").size() != scene.walls.size())
-    throw std::runtime_error(path + " belongs to a scene with another number of bodies");
-  detail::for_each_member(scene, [&](const char* name, auto& member) { checkpoint.at(name).get_to(member); });
-  detail::histories_from_json(checkpoint.at("ball_contacts"), scene.ball_contacts);
-  detail::histories_from_json(checkpoint.at("wall_contacts"), scene.wall_contacts);
-  scene.resume();
+  try {
+    scene_from_json(nlohmann::json::parse(file), scene);
+  } catch (const std::exception& fault) {
+    throw std::runtime_error(path + ": " + fault.what());
+  }
 }
 
 }  // namespace dem
