@@ -45,7 +45,7 @@ class Test {
   /// Runs the test to its end, from where an earlier run left it. @throws common::Stopped; std::runtime_error if a step is
   /// unstable or a grain leaves the vessel
   TestState run(dem::CaseControl& control) {
-    if (control.resume(specimen.scene, *this)) dem::clumps_from_json(saved_clumps_, specimen.clumps, specimen.scene);
+    take_up(control);
     while (state.phase != Phase::done) {
       step();
       if (specimen.scene.steps % look_every == 0) {
@@ -54,6 +54,13 @@ class Test {
       }
     }
     return state;
+  }
+
+  /// Takes up the state of an earlier run. Whether there was one.
+  bool take_up(dem::CaseControl& control) {
+    if (!control.resume(specimen.scene, *this)) return false;
+    dem::clumps_from_json(saved_clumps_, specimen.clumps, specimen.scene);
+    return true;
   }
 
   /// One step of the test.
