@@ -144,8 +144,7 @@ class Clumps {
     const Vec3 half = turn / 2.0;
     return (Eigen::Quaterniond(1.0, half.x(), half.y(), half.z()) * q).normalized();
   }
-  static Vec3 spin_of(const Clump& c, const Eigen::Quaterniond& orientation) {
-    const Eigen::Matrix3d axes = orientation.toRotationMatrix();
+  static Vec3 spin_of(const Clump& c, const Eigen::Matrix3d& axes) {
     return axes * (axes.transpose() * c.angular_momentum).cwiseQuotient(c.inertia);
   }
 
@@ -161,8 +160,8 @@ class Clumps {
     }
     c.position += c.velocity * drift;
     if (!is_round && c.free) {
-      const Vec3 before = spin_of(c, c.orientation);
-      c.spin = spin_of(c, turned(c.orientation, before * (drift / 2.0)));
+      const Vec3 before = spin_of(c, c.orientation.toRotationMatrix());
+      c.spin = spin_of(c, turned(c.orientation, before * (drift / 2.0)).toRotationMatrix());
     }
     c.orientation = turned(c.orientation, c.spin * drift);
   }

@@ -151,8 +151,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.12, 0.3));
   app.add_option("--confine", options.plan.confine_time, "time in which the pressure grows [s] (default: 0.5)")
       ->check(CLI::Range(0.01, 10.0));
-  app.add_option("--safety", options.plan.safety, "share of the stable step (default: 0.6)")
-      ->check(CLI::Range(0.05, 0.8));
+  app.add_option("--safety", options.plan.safety, "share of the stable step (default: 0.8)")
+      ->check(CLI::Range(0.05, 1.0));
   return common::run_program(app, argc, argv, [&options] {
     if (options.full) options.size.diameter = 0.3;
     options.size.height = 1.5 * options.size.diameter;

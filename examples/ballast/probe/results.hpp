@@ -54,12 +54,13 @@ inline double onset(const Curve& load, double share = 0.95) {
   return std::nan("");
 }
 
-/// Noise of the tangent modulus: rms deviation from E_0 of the slopes between successive points near a strain of 1e-7, over E_0.
+/// Noise of the tangent modulus: rms deviation from E_0 of the slopes between successive points of the first half decade of
+/// strain, over E_0 [1]. Later the sample has come to rest.
 inline double noise(const Curve& load) {
   const double mean = initial_modulus(load);
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 1; i < load.size(); ++i) {
-    if (load[i].phase_strain < 3e-8 || load[i].phase_strain > 3e-7) continue;
+    if (load[i].phase_strain < 1e-9 || load[i].phase_strain > 3.2e-9) continue;
     const double slope = (load[i].axial - load[i - 1].axial) / (load[i].strain - load[i - 1].strain);
     sum += (slope / mean - 1.0) * (slope / mean - 1.0);
     count += 1.0;

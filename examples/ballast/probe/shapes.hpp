@@ -6,9 +6,11 @@
 // one after the other, each the one that fills most of the volume that is still empty; the smallest radius bounds how sharp
 // corners become. Names and axes, before filling:
 //
-//   blocky     1 : 0.85 : 0.72      elongated  1 : 0.66 : 0.58      flat  1 : 0.86 : 0.50
+//              intermediate/longest   shortest/intermediate
+//   blocky     .88                    .80
+//   elongated  .68                    .80
+//   flat       .78                    .69
 //
-// Ballast has I/L of 0.6 to 0.9 and S/I of 0.5 to 0.9 (Zingg's classes: one of each shape that is not a rod).
 // Sizes: the middle of the limits of EN 13450 for 31.5 to 50 mm (Tolomeo & McDowell 2022, Fig. 3), by volume.
 #pragma once
 

@@ -59,6 +59,7 @@ class Test {
   /// Takes up the state of an earlier run. Whether there was one.
   bool take_up(dem::CaseControl& control) {
     if (!control.resume(specimen.scene, *this)) return false;
+    if (state.phase >= Phase::load) specimen.set_skin(probe_skin);
     dem::clumps_from_json(saved_clumps_, specimen.clumps, specimen.scene);
     return true;
   }
@@ -98,6 +99,7 @@ class Test {
   double nominal_ = 0.0;       ///< [N/m]
   dem::EnergyWatch watch_;
   nlohmann::json saved_clumps_;                    ///< restored after the scene is
+  static constexpr double probe_skin = 0.1e-3;     ///< grains hardly move from loading on [m]
   static constexpr std::int64_t look_every = 100;  ///< steps between two looks at time step, energy and equilibrium
 
   double phase_time() const { return specimen.scene.time - state.phase_start; }
@@ -247,6 +249,7 @@ class Test {
     state.next_point = plan.strain_slow;
     if (state.phase == Phase::confine) specimen.vessel.side_moves = true;
     if (state.phase == Phase::load) {
+      specimen.set_skin(probe_skin);
       state.height = Vessel::height(scene);
       state.first_place = bottom();
       state.first_deviator = deviator();

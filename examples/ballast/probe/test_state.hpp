@@ -27,7 +27,7 @@ struct TestPlan {
   double most_strain = 1e-3;   ///< axial, at the end of loading [1]
   bool unloads = true;         ///< whether hold and unload follow
   int points_per_decade = 20;  ///< of strain
-  double safety = 0.6;         ///< share of the stable step
+  double safety = 0.8;         ///< share of the stable step
   /// Unbalanced forces, falling, at which a copy of the specimen is loaded to `noise_strain`, to see the noise of its modulus.
   std::vector<double> noise_levels;
   double noise_strain = 1e-6;
