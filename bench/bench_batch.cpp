@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "contact_arrays.hpp"
 #include "contactlaws/scalars/xsimd.hpp"
@@ -50,17 +51,13 @@ void one_by_one(benchmark::State& run, const Law& law, std::size_t contacts, con
   count(run, contacts, 0);
 }
 
-/// Bytes that a batch moves per contact: what the law reads of pair and motion, state in and out, force out.
-template <class Law>
-constexpr std::size_t bytes_per_contact() {
-  constexpr std::size_t pair = 1 + (decltype(Law::damping)::acts ? 1 : 0) + (decltype(Law::bridge)::acts ? 1 : 0);
-  constexpr std::size_t motion = decltype(Law::shear)::acts || decltype(Law::damping)::acts ? 7 : 4;
-  return (pair + motion + 2 * Law::state_size + 3) * sizeof(typename Law::Scalar);
-}
+/// Packs are loaded from one cache line each.
+template <class T>
+using AlignedArray = std::vector<T, xsimd::aligned_allocator<T, 64>>;
 
 template <class Law>
 void batched(benchmark::State& run, const Law& law, std::size_t contacts, const Mix& mix) {
-  ContactArrays<Law> arrays(make_contacts(contacts, mix));
+  ContactArrays<Law, AlignedArray<typename Law::Scalar>> arrays(make_contacts(contacts, mix));
   const ContactBatch<Law> forwards = arrays.batch(true);
   const ContactBatch<Law> backwards = arrays.batch(false);
   bool even = true;

@@ -6,18 +6,23 @@
 #include <cstddef>
 #include <vector>
 
-#include <xsimd/xsimd.hpp>
-
 #include "contactlaws/batch.hpp"
 #include "contacts.hpp"
 
 namespace bench {
 
+/// Bytes that a batch moves per contact: what the law reads of pair and motion, state in and out, force out.
 template <class Law>
+constexpr std::size_t bytes_per_contact() {
+  constexpr std::size_t pair = 1 + (decltype(Law::damping)::acts ? 1 : 0) + (decltype(Law::bridge)::acts ? 1 : 0);
+  constexpr std::size_t motion = decltype(Law::shear)::acts || decltype(Law::damping)::acts ? 7 : 4;
+  return (pair + motion + 2 * Law::state_size + 3) * sizeof(typename Law::Scalar);
+}
+
+template <class Law, class Array = std::vector<typename Law::Scalar>>
 class ContactArrays {
  public:
   using T = typename Law::Scalar;
-  using Array = std::vector<T, xsimd::aligned_allocator<T, 64>>;  // packs are loaded from one cache line each
 
   explicit ContactArrays(const std::vector<Contact>& contacts) {
     const auto column = [&contacts](const auto& value_of) {

@@ -36,7 +36,8 @@ inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}
   std::mt19937_64 random(20190405);
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
-  const auto direction = [&] { return Vec3<double>(normal(random), normal(random), normal(random)).normalized(); };
+  const auto unit = [](const Vec3<double>& v) { return Vec3<double>(v / norm<double>(v)); };
+  const auto direction = [&] { return unit(Vec3<double>(normal(random), normal(random), normal(random))); };
   const ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
   std::vector<Contact> contacts;
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,7 +51,7 @@ inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}
     const Vec3<double> sideways = n.cross(direction());
     // Per step of 1e-7 s: a slow contact strains its shear spring by 1e-4 of what friction bears, a fast one slides.
     const Vec3<double> velocity = sideways * (overlap * (slides ? 1e7 : 1e2)) + n * (overlap * 1e2);
-    const Vec3<double> turned = (n + mix.turn * sideways).normalized();
+    const Vec3<double> turned = unit(Vec3<double>(n + mix.turn * sideways));
     const double dt = 1e-7;
     contacts.push_back({pair, {n, overlap, velocity, dt}, {turned, overlap, -velocity, dt}, uniform(random) < mix.wet});
   }

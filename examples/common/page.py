@@ -23,7 +23,7 @@ plt.rcParams.update({
     "legend.frameon": False, "legend.fontsize": 8, "mathtext.default": "regular", "figure.constrained_layout.use": True,
 })
 
-SECTIONS = ["memo", "ballast"]  # in the order of the page
+SECTIONS = ["memo", "class5", "ballast", "probe"]  # in the order of the page
 NUMBERS = ["expected", "computed", "relative_error", "tolerance"]
 
 PAGE = """<!doctype html>
@@ -52,7 +52,7 @@ class Results:
 
     def rows(self, name):
         table = Table(self.folder / f"{name}.csv")
-        for column in NUMBERS:
+        for column in ["computed"] if "low" in table else NUMBERS:
             table.numbers(column)  # or fail
         for column in ("id", "unit", "published", "pass"):
             if column not in table:
@@ -110,6 +110,18 @@ def table(rows):
         lines.append(f"<tr><td>{html.escape(row['id'])}</td><td>{published}</td><td>{float(row['expected']):.12g}</td>"
                      f"<td>{float(row['computed']):.12g}</td><td>{row['unit'] if row['unit'] != '1' else ''}</td>"
                      f"<td>{float(row['relative_error']):.0e}</td><td>{float(row['tolerance']):.0e}</td>"
+                     f"<td class=\"{row['pass']}\">{mark}</td></tr>")
+    return "\n".join(lines + ["</table>"])
+
+
+def banded_table(rows):
+    """Numbers with the band where each must lie; those without a band are shown, not judged."""
+    lines = ["<table><tr><th>id</th><th>published</th><th>at least</th><th>at most</th><th>computed</th><th>unit</th><th></th></tr>"]
+    for row in rows:
+        published, low, high = (f"{float(row[column]):.5g}" if row[column] else "" for column in ("published", "low", "high"))
+        mark = "" if not low and not high else "✓" if row["pass"] == "yes" else "✗"
+        lines.append(f"<tr><td>{html.escape(row['id'])}</td><td>{published}</td><td>{low}</td><td>{high}</td>"
+                     f"<td>{float(row['computed']):.5g}</td><td>{row['unit'] if row['unit'] != '1' else ''}</td>"
                      f"<td class=\"{row['pass']}\">{mark}</td></tr>")
     return "\n".join(lines + ["</table>"])
 

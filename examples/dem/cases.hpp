@@ -53,7 +53,7 @@ class CaseControl {
   template <class Scene, class State>
   void between_steps(const Scene& scene, const State& state, double done) {
     done_ = done;
-    const bool stops = common::stop_requested() || (stop_ != nullptr && *stop_);
+    const bool stops = common::stop_requested() || (stop_ && stop_());
     const auto now = std::chrono::steady_clock::now();
     if (!stops && now - saved_ < std::chrono::minutes(1)) return;
     save(scene, state);
@@ -71,13 +71,14 @@ class CaseControl {
     done_ = 1.0;
   }
 
-  void stop_with(const std::atomic<bool>* stop) { stop_ = stop; }
+  /// Another reason to stop than Ctrl-C.
+  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
 
  private:
   std::string file_;
   nlohmann::json settings_, kept_;
   std::atomic<double> done_{0.0};
-  const std::atomic<bool>* stop_ = nullptr;
+  std::function<bool()> stop_;
   std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
 };
 
@@ -105,7 +106,7 @@ inline std::vector<nlohmann::json> run_cases(const std::string& what, const std:
   const auto work = [&] {
     for (std::size_t i = next++; i < cases.size() && !stop; i = next++) {
       if (controls[i]->has_result()) continue;
-      controls[i]->stop_with(&stop);
+      controls[i]->stop_when([&stop] { return stop.load(); });
       try {
         controls[i]->finish(cases[i].run(*controls[i]));
       } catch (...) {

@@ -29,12 +29,14 @@ struct PackOf {
 template <class T>
 class Column {
  public:
-  Column(const T& same = T(0)) : array_(nullptr), same_(same) {}  // NOLINT: implicit, a number serves all contacts
-  Column(int same) : Column(T(same)) {}                           // NOLINT: 0 is a number here, not a null array
-  Column(const T* array) : array_(array), same_(T(0)) {}          // NOLINT: implicit, an array has one number a contact
+  // NOLINTBEGIN: implicit. A number serves all contacts (0 is a number, not a null array); an array has one a contact.
+  CONTACTLAWS_HD Column(const T& same = T(0)) noexcept : array_(nullptr), same_(same) {}
+  CONTACTLAWS_HD Column(int same) noexcept : Column(T(same)) {}
+  CONTACTLAWS_HD Column(const T* array) noexcept : array_(array), same_(T(0)) {}
+  // NOLINTEND
 
-  const T* array() const noexcept { return array_; }  ///< null where one number serves all
-  const T& same() const noexcept { return same_; }
+  CONTACTLAWS_HD const T* array() const noexcept { return array_; }  ///< null where one number serves all
+  CONTACTLAWS_HD const T& same() const noexcept { return same_; }
 
  private:
   const T* array_;
@@ -138,24 +140,41 @@ CONTACTLAWS_HD void step_pack(const typename Law::template Rebind<Pack>& law, co
   scatter(range, input, step);
 }
 
-/// Steps a batch; law_of(range) returns the law on Pack.
-template <class Law, class Pack, class LawOf>
-CONTACTLAWS_HD void step_batch(const LawOf& law_of, const ContactBatch<Law>& batch) noexcept {
-  constexpr bool rolls = decltype(Law::rolling)::acts;
-  const auto gather = [&batch](const auto& range) {
+/// What a pack of contacts reads of the arrays of a batch.
+template <class Law, class Pack>
+struct BatchGather {
+  const ContactBatch<Law>& batch;
+
+  template <class Range>
+  CONTACTLAWS_HD ContactInput<Pack> operator()(const Range& range) const noexcept {
     const auto column = [&range](const auto& c) { return range.load(c); };
     const auto vector = [&column](const auto& c) { return Vec3<Pack>(column(c[0]), column(c[1]), column(c[2])); };
     ContactInput<Pack> input{batch.pair.template map<Pack>(column),
                              {vector(batch.normal), column(batch.overlap), vector(batch.velocity), column(batch.dt),
                               column(batch.normal_spin)}};
-    if constexpr (rolls) input.kinematics.relative_spin = vector(batch.relative_spin);
+    if constexpr (decltype(Law::rolling)::acts) input.kinematics.relative_spin = vector(batch.relative_spin);
     return input;
-  };
-  const auto scatter = [&batch](const auto& range, const auto&, const auto& step) {
+  }
+};
+
+/// What it writes there beside its state.
+template <class Law>
+struct BatchScatter {
+  const ContactBatch<Law>& batch;
+
+  template <class Range, class Input, class Step>
+  CONTACTLAWS_HD void operator()(const Range& range, const Input&, const Step& step) const noexcept {
     for (int i = 0; i < 3; ++i) range.store(batch.force[std::size_t(i)], step.force[i]);
-    if constexpr (rolls)
+    if constexpr (decltype(Law::rolling)::acts)
       for (int i = 0; i < 3; ++i) range.store(batch.couple[std::size_t(i)], step.couple[i]);
-  };
+  }
+};
+
+/// Steps a batch; law_of(range) returns the law on Pack.
+template <class Law, class Pack, class LawOf>
+CONTACTLAWS_HD void step_batch(const LawOf& law_of, const ContactBatch<Law>& batch) noexcept {
+  const BatchGather<Law, Pack> gather{batch};
+  const BatchScatter<Law> scatter{batch};
   for_each_pack<Pack>(0, batch.count, [&](const auto& range) {
     step_pack<Law, Pack>(law_of(range), range, batch.state, batch.next, gather, scatter);
   });
@@ -168,7 +187,7 @@ template <class Law, class Pack = typename PackOf<typename Law::Scalar>::type>
 CONTACTLAWS_FLATTEN void evaluate(const Law& law, const ContactBatch<Law>& batch) noexcept {
   const auto pack_law = law.template cast<Pack>();
   detail::step_batch<Law, Pack>(
-      [&pack_law](const auto&) -> const auto& { return pack_law; }, batch);
+      [one_law = &pack_law](const auto&) -> const auto& { return *one_law; }, batch);
 }
 
 /// The same with parameters that may differ from contact to contact, as in `law.cast<Column<double>>()`: each a number for

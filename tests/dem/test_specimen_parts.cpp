@@ -100,7 +100,7 @@ TEST_CASE("a shrinking cylinder finds a ball that was far away") {
 
 TEST_CASE("a wall of negative radius is refused") {
   Scene scene(linear(0.0));
-  CHECK_THROWS_WITH(scene.add(cylinder(-1.0)), Catch::Contains("radius") && Catch::Contains("-1"));
+  CHECK_THROWS_WITH(scene.add(cylinder(-1.0)), ContainsSubstring("radius") && ContainsSubstring("-1"));
 }
 
 TEST_CASE("servos hold the pressure of a vessel; at rest the stress of the walls is that of all contacts") {

@@ -1,14 +1,22 @@
 #!/bin/sh
-# Compiles, but does not run, kernels that step a law on a GPU. Arguments: compiler options that find Eigen.
+# Compiles, but does not run, kernels that step each ready-made law on a GPU, and the program of docs/gpu.md. The header
+# tells a compiler without CUDA what it needs.   compile.sh OPTIONS_THAT_FIND_EIGEN...
 set -eu
-cd "$(dirname "$0")"
+cd "$(dirname "$0")/../.."
 
-if ! command -v nvcc >/dev/null; then
-  echo "skipped: no nvcc"
-  exit 77
-fi
-# Warnings are errors, since a host function called on the device is only a warning. Not meant are
-# 20012: Eigen puts host/device words on defaulted functions, where nvcc ignores them;
-# 20208: pi is written to the digits of long double; 186: a loop over an empty array.
-nvcc -std=c++17 --expt-relaxed-constexpr -diag-suppress 20012,20208,186 -Werror all-warnings \
-  -I../../include "$@" -c kernel.cu -o /dev/null
+# shellcheck source=tests/gpu/nvcc.sh
+. tests/gpu/nvcc.sh
+find_nvcc
+build=$(mktemp -d)
+trap 'rm -rf "$build"' EXIT
+
+# shellcheck disable=SC2016  # not shell
+sed -n '/^```cpp$/,/^```$/p' docs/gpu.md | sed '/^```/d' > "$build/example.cu"
+grep -q evaluate "$build/example.cu"
+for_gpu "$@" -c tests/gpu/kernel.cu -o /dev/null
+for_gpu "$@" -c "$build/example.cu" -o /dev/null
+for_gpu -DCONTACTLAWS_NO_EIGEN -c "$build/example.cu" -o /dev/null
+
+echo '#include "contactlaws/scalars/cuda.hpp"' > "$build/host.cpp"
+if "${CXX:-c++}" -std=c++17 -Iinclude "$@" -fsyntax-only "$build/host.cpp" 2> "$build/message"; then exit 1; fi
+grep -q 'needs a CUDA compiler' "$build/message"
