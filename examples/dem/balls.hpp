@@ -32,7 +32,7 @@ struct Ball {
   Vec3 velocity = Vec3::Zero();           ///< [m/s]
   Vec3 spin = Vec3::Zero();               ///< [rad/s]
   bool free = true;  ///< false: velocity and spin are prescribed. The mass counts in m* all the same.
-  int group = -1;    ///< the rigid body that it is a part of, which moves it (clumps.hpp); -1 for none
+  int group = -1;    ///< see Balls
 };
 
 struct Balls {
@@ -46,8 +46,9 @@ struct Balls {
   std::vector<double> inertia;                         ///< 2/5 m R^2 [kg m^2]
   std::vector<contactlaws::ContactBody<double>> side;  ///< input of pair_properties()
   std::vector<char> free;                              ///< whether forces move it
-  std::vector<int>
-      group;  ///< the rigid body that it is a part of; no contact acts between two of one body. -1 for none
+  /// No contact acts between two balls of one group. From 0 on it is a rigid body, which moves its balls (clumps.hpp); below -1
+  /// the balls move by themselves; -1 for none.
+  std::vector<int> group;
 
   std::size_t size() const { return position.size(); }
 

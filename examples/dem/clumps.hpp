@@ -121,6 +121,12 @@ class Clumps {
     note_listing(scene);
   }
 
+  /// From now on each step places this pebble, whether or not it may touch something.
+  void keep_placed(std::size_t ball) {
+    kept_.resize(std::max(kept_.size(), ball + 1), 0);
+    kept_[ball] = 1;
+    listing_ = -1;
+  }
   /// Writes position, velocity and spin of all pebbles: a step writes only those that may touch something.
   template <class Scene>
   void place_all(Scene& scene) const {
@@ -134,6 +140,7 @@ class Clumps {
 
  private:
   std::vector<Vec3> arm_;              ///< of each ball, from the centre of its clump, in the frame of the clump [m]
+  std::vector<char> kept_;             ///< whether each ball is placed in any case
   std::vector<std::size_t> active_;    ///< pebbles with listed contacts, by clump
   std::vector<std::ptrdiff_t> start_;  ///< those of clump i are active_[start_[i]] to before active_[start_[i + 1]]
   std::vector<Clump> listed_;          ///< as they were when neighbours were listed
@@ -189,7 +196,8 @@ class Clumps {
   void note_listing(const Scene& scene) {
     listing_ = scene.listings;
     listed_ = all;
-    std::vector<char> touched(scene.balls.size(), 0);
+    std::vector<char> touched = kept_;
+    touched.resize(scene.balls.size(), 0);
     for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c)
       touched[scene.ball_contacts.first(c)] = touched[scene.ball_contacts.second(c)] = 1;
     for (std::size_t c = 0; c < scene.wall_contacts.size(); ++c) touched[scene.wall_contacts.second(c)] = 1;

@@ -236,7 +236,7 @@ class Simulation {
     std::vector<Pair> near = find_neighbours(balls.position, balls.radius, reach);
     const auto in_one_body = [this](const Pair& pair) {
       const int group = balls.group[static_cast<std::size_t>(pair.first)];
-      return group >= 0 && group == balls.group[static_cast<std::size_t>(pair.second)];
+      return group != -1 && group == balls.group[static_cast<std::size_t>(pair.second)];
     };
     near.erase(std::remove_if(near.begin(), near.end(), in_one_body), near.end());
     std::vector<Pair> at_walls;

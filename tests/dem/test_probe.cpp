@@ -88,19 +88,20 @@ TEST_CASE("the sample is packed without stress at the voids ratio asked for") {
     solid += clump.mass / granite.density;
     CHECK(std::hypot(clump.position.x(), clump.position.y()) < sample.radius);
   }
-  CHECK(Vessel::area(specimen.scene) * Vessel::height(specimen.scene) / solid - 1.0 == Approx(0.700).epsilon(1e-9));
-  CHECK(Vessel::axial_stress(specimen.scene) < 1.5e3);  // 1 % of the pressure to come
-  CHECK(Vessel::radial_stress(specimen.scene) < 1.5e3);
+  CHECK(specimen.vessel.area(specimen.scene) * Vessel::height(specimen.scene) / solid - 1.0 ==
+        Approx(0.700).epsilon(1e-9));
+  CHECK(specimen.vessel.axial_stress(specimen.scene) < 1.5e3);  // 1 % of the pressure to come
+  CHECK(specimen.vessel.radial_stress(specimen.scene) < 1.5e3);
 }
 
 TEST_CASE("the pressure of the cylinder comes to rest at the pressure outside, without noise") {
   TestPlan plan = hasty();
   Test<Hertz> test(plan, shapes(), small_sample());
   while (test.state.phase != Phase::load) test.step();
-  CHECK(Vessel::radial_stress(test.specimen.scene) == Approx(plan.pressure).epsilon(1e-4));
+  CHECK(test.specimen.vessel.radial_stress(test.specimen.scene) == Approx(plan.pressure).epsilon(1e-4));
   // The top platen carries the pressure and its weight; the bottom one the grains' weight too.
   const auto& walls = test.specimen.scene.walls;
-  const double area = Vessel::area(test.specimen.scene), lid = test.specimen.vessel.platen_mass * 9.81;
+  const double area = test.specimen.vessel.area(test.specimen.scene), lid = test.specimen.vessel.platen_mass * 9.81;
   double grains = 0.0;
   for (const dem::Clump& clump : test.specimen.clumps.all) grains += clump.mass * 9.81;
   CHECK(walls[Vessel::top].normal_force == Approx(plan.pressure * area + lid).epsilon(1e-5));

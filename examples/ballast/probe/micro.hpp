@@ -83,9 +83,9 @@ void add_history(Micro& micro, double& ratios, const Law& law, const contactlaws
 }  // namespace detail
 
 template <class Law>
-Micro observe(const dem::Simulation<Law, Boundary>& scene, const dem::Clumps& clumps, double solid_volume) {
+Micro observe(const dem::Simulation<Law, Boundary>& scene, const dem::Clumps& clumps, double volume,
+              double solid_volume) {
   Micro micro;
-  const double volume = Vessel::area(scene) * Vessel::height(scene);
   double ratios = 0.0;
   std::set<std::pair<int, int>> touching;
   for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -15,6 +16,7 @@
 #include "dem/checkpoint.hpp"
 #include "dem/clump_measures.hpp"
 #include "laws.hpp"
+#include "membrane.hpp"
 #include "shapes.hpp"
 #include "vessel.hpp"
 
@@ -123,6 +125,7 @@ struct Specimen {
   dem::Simulation<Law, Boundary> scene;
   dem::Clumps clumps;
   Vessel vessel;
+  std::optional<Membrane> membrane;
 
   Specimen(const Law& law, const Boundary& boundary, const std::vector<dem::ClumpShape>& shapes, const Sample& sample)
       : scene(law, boundary) {
@@ -138,12 +141,24 @@ struct Specimen {
   void set_skin(double gap) {
     scene.skin = gap / *std::min_element(scene.balls.radius.begin(), scene.balls.radius.end());
   }
+  /// Puts a membrane in the place of the cylinder.
+  void add_membrane(const MembraneSettings& settings) {
+    dem::Wall& cylinder = scene.walls[Vessel::side];
+    membrane.emplace(settings, cylinder.radius, Vessel::height(scene));
+    membrane->surround(scene, clumps);
+    vessel.membrane_radius = cylinder.radius;
+    cylinder.radius += 1.0;  // out of reach
+  }
   void step() {
     vessel.push(scene);
     clumps.step(scene);
+    if (!membrane) return;
+    const auto speed = [this](std::size_t wall) { return scene.walls[wall].velocity.z(); };
+    membrane->step(scene, clumps, vessel.pressure, speed(Vessel::bottom), speed(Vessel::top));
+    if (scene.steps % 100 == 0) vessel.membrane_radius = membrane->mean_radius();
   }
   void take_places(Sample& sample) const {
-    sample.radius = scene.walls[Vessel::side].radius;
+    sample.radius = vessel.radius(scene);
     sample.height = Vessel::height(scene);
     for (std::size_t i = 0; i < sample.grains.size(); ++i) {
       sample.grains[i].position = clumps.all[i].position;

@@ -40,7 +40,7 @@ class Test {
   }
 
   double unbalanced() const { return dem::unbalanced_force(specimen.scene, specimen.clumps); }
-  Micro micro() const { return observe(specimen.scene, specimen.clumps, solid_volume_); }
+  Micro micro() const { return observe(specimen.scene, specimen.clumps, volume(), solid_volume_); }
 
   /// Runs the test to its end, from where an earlier run left it. @throws common::Stopped; std::runtime_error if a step is
   /// unstable or a grain leaves the vessel
@@ -102,10 +102,13 @@ class Test {
   static constexpr double probe_skin = 0.1e-3;     ///< grains hardly move from loading on [m]
   static constexpr std::int64_t look_every = 100;  ///< steps between two looks at time step, energy and equilibrium
 
+  double volume() const { return specimen.vessel.area(specimen.scene) * Vessel::height(specimen.scene); }
   double phase_time() const { return specimen.scene.time - state.phase_start; }
   double bottom() const { return specimen.scene.walls[Vessel::bottom].point.z(); }
   double phase_strain() const { return std::abs(bottom() - state.start_place) / state.height; }
-  double deviator() const { return Vessel::axial_stress(specimen.scene) - Vessel::radial_stress(specimen.scene); }
+  double deviator() const {
+    return specimen.vessel.axial_stress(specimen.scene) - specimen.vessel.radial_stress(specimen.scene);
+  }
 
   /// Pressure and speed of the bottom platen for the next step.
   void control_walls() {
@@ -143,8 +146,8 @@ class Test {
     const auto number = [](const Branch& branch) { return static_cast<double>(branch.count); };
     const Point point{phase_strain(),
                       (bottom() - state.first_place) / state.height,
-                      Vessel::axial_stress(scene),
-                      Vessel::radial_stress(scene),
+                      specimen.vessel.axial_stress(scene),
+                      specimen.vessel.radial_stress(scene),
                       now.stress(2, 2),
                       (now.stress(0, 0) + now.stress(1, 1)) / 2.0,
                       now.coordination,
@@ -183,7 +186,7 @@ class Test {
   void check() {
     const auto& scene = specimen.scene;
     watch_.look(scene, dem::kinetic_energy(specimen.clumps), potential_energy());
-    const double radius = scene.walls[Vessel::side].radius, low = bottom(), high = low + Vessel::height(scene);
+    const double radius = specimen.vessel.radius(scene), low = bottom(), high = low + Vessel::height(scene);
     for (std::size_t i = 0; i < specimen.clumps.size(); ++i) {
       const Vec3& place = specimen.clumps.all[i].position;
       if (std::hypot(place.x(), place.y()) < radius && place.z() > low && place.z() < high) continue;
@@ -237,7 +240,7 @@ class Test {
     auto& scene = specimen.scene;
     if (state.phase == Phase::rest) {
       state.rest_time = phase_time();
-      state.voids_ratio = Vessel::area(scene) * Vessel::height(scene) / solid_volume_ - 1.0;
+      state.voids_ratio = volume() / solid_volume_ - 1.0;
       state.identity = micro().missing();
       specimen.take_places(state.at_rest);
     }

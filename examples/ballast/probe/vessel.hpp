@@ -16,11 +16,12 @@ struct Vessel {
   static constexpr double platen_mass_per_area = 312.0;  ///< [kg/m^2]
   static constexpr double side_mass_per_area = 4.0;      ///< [kg/m^2]
 
-  double pressure = 0.0;    ///< outside of the cylinder and on the top platen [Pa]
-  double platen_mass = 0;   ///< [kg]
-  double side_mass = 0.0;   ///< [kg]
-  bool top_moves = false;   ///< whether forces move the top platen up and down
-  bool side_moves = false;  ///< whether forces move the cylinder
+  double pressure = 0.0;         ///< outside of the cylinder and on the top platen [Pa]
+  double platen_mass = 0;        ///< [kg]
+  double side_mass = 0.0;        ///< [kg]
+  bool top_moves = false;        ///< whether forces move the top platen up and down
+  bool side_moves = false;       ///< whether forces move the cylinder
+  double membrane_radius = 0.0;  ///< mean radius, where a membrane stands in for the cylinder [m]; 0 without one
 
   /// Adds the walls to an empty scene: a cylinder about the z-axis from z = 0 up [m].
   template <class Scene>
@@ -40,20 +41,25 @@ struct Vessel {
     return scene.walls[top].point.z() - scene.walls[bottom].point.z();
   }
   template <class Scene>
-  static double area(const Scene& scene) {
-    return contactlaws::pi<double>() * scene.walls[side].radius * scene.walls[side].radius;
+  double radius(const Scene& scene) const {
+    return membrane_radius > 0.0 ? membrane_radius : scene.walls[side].radius;
   }
   template <class Scene>
-  static double lateral_area(const Scene& scene) {
-    return 2.0 * contactlaws::pi<double>() * scene.walls[side].radius * height(scene);
+  double area(const Scene& scene) const {
+    return contactlaws::pi<double>() * radius(scene) * radius(scene);
   }
-  /// Mean stress on the two platens; on the cylinder [Pa].
   template <class Scene>
-  static double axial_stress(const Scene& scene) {
+  double lateral_area(const Scene& scene) const {
+    return 2.0 * contactlaws::pi<double>() * radius(scene) * height(scene);
+  }
+  /// Mean stress on the two platens; on the cylinder, or the pressure on the membrane [Pa].
+  template <class Scene>
+  double axial_stress(const Scene& scene) const {
     return (scene.walls[bottom].normal_force + scene.walls[top].normal_force) / 2.0 / area(scene);
   }
   template <class Scene>
-  static double radial_stress(const Scene& scene) {
+  double radial_stress(const Scene& scene) const {
+    if (membrane_radius > 0.0) return pressure;
     return scene.walls[side].normal_force / lateral_area(scene);
   }
 
