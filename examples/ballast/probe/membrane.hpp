@@ -27,6 +27,14 @@ struct MembraneSettings {
   double bond_stiffness = 5e3;     ///< [N/m]
   int around = 150, rows = 84;     ///< numbers of spheres: 12 600
   double reach = 30e-3;            ///< pebbles within this distance of it may touch it [m]
+
+  /// The paper's lattice around a vessel of another size [m].
+  static MembraneSettings around_vessel(double radius, double height) {
+    MembraneSettings settings;
+    settings.around = static_cast<int>(std::lround(settings.around * radius / 0.15));
+    settings.rows = static_cast<int>(std::lround(settings.rows * height / 0.45));
+    return settings;
+  }
 };
 
 class Membrane {

@@ -4,7 +4,8 @@
 //
 //   probe [FOLDER] [--full] [--threads N]     writes probe.json, probe.csv and the curves (default: build/results)
 //
-// By default about 120 grains; --full: the paper's size, 747 grains (hours). Ctrl-C stops it; the same command goes on from
+// By default about 120 grains in a cylinder whose radius the pressure moves; --full: the paper's size, some 750 grains in a
+// membrane of 12 600 bonded spheres (hours). Ctrl-C stops it; the same command goes on from
 // there: the state of each case is FOLDER/probe/NAME.json.
 //
 // Exit status: 0 if every number is in its band, 1 if one is not, 2 on a fault, 130 after Ctrl-C.
@@ -143,18 +144,23 @@ int main(int argc, char** argv) {
   CLI::App app("Runs the small-strain probes on railway ballast (Tolomeo & McDowell 2022).", "probe");
   probe::Options options;
   app.add_option("FOLDER", options.folder, "where to write the results (default: build/results)");
-  app.add_flag("--full", options.full, "the paper's size: 747 grains in 300 x 450 mm (hours)");
+  app.add_flag("--full", options.full,
+               "the paper's size: some 750 grains in 300 x 450 mm, in a membrane of 12 600 spheres (hours)");
   app.add_option("--threads", options.threads, "cases side by side (default: 1)")->check(CLI::Range(1, 1024));
   app.add_option("--seed", options.size.seed, "of the sample (default: 1)")->check(CLI::Range(1, 1000000000));
   app.add_option("--diameter", options.size.diameter,
                  "of the vessel [m]; its height is 1.5 times as large (default: 0.16)")
       ->check(CLI::Range(0.12, 0.3));
+  app.add_flag("--membrane", options.plan.membrane, "a flexible membrane in the place of the breathing cylinder");
   app.add_option("--confine", options.plan.confine_time, "time in which the pressure grows [s] (default: 0.5)")
       ->check(CLI::Range(0.01, 10.0));
   app.add_option("--safety", options.plan.safety, "share of the stable step (default: 0.8)")
       ->check(CLI::Range(0.05, 1.0));
   return common::run_program(app, argc, argv, [&options] {
-    if (options.full) options.size.diameter = 0.3;
+    if (options.full) {
+      options.size.diameter = 0.3;
+      options.plan.membrane = true;
+    }
     options.size.height = 1.5 * options.size.diameter;
     return probe::run(options);
   });

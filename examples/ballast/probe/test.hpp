@@ -33,6 +33,7 @@ class Test {
   Test(const TestPlan& test_plan, const std::vector<dem::ClumpShape>& shapes, const Sample& sample)
       : plan(test_plan), specimen(make_law<Law>(friction), boundary_law(), shapes, sample) {
     state.at_rest = sample;
+    if (plan.membrane) specimen.add_membrane(MembraneSettings::around_vessel(sample.radius, sample.height));
     specimen.scene.gravity = {0.0, 0.0, -9.81};
     specimen.vessel.top_moves = true;
     for (const dem::Clump& clump : specimen.clumps.all) solid_volume_ += clump.mass / granite.density;
@@ -60,7 +61,13 @@ class Test {
   bool take_up(dem::CaseControl& control) {
     if (!control.resume(specimen.scene, *this)) return false;
     if (state.phase >= Phase::load) specimen.set_skin(probe_skin);
-    dem::clumps_from_json(saved_clumps_, specimen.clumps, specimen.scene);
+    dem::clumps_from_json(saved_.at("clumps"), specimen.clumps, specimen.scene);
+    if (specimen.membrane) {
+      dem::scene_from_json(saved_.at("membrane"), specimen.membrane->scene);
+      specimen.membrane->resume();
+      saved_.at("membrane_radius").get_to(specimen.vessel.membrane_radius);
+    }
+    saved_ = nlohmann::json();
     return true;
   }
 
@@ -85,20 +92,23 @@ class Test {
             {"top_moves", test.specimen.vessel.top_moves},
             {"side_moves", test.specimen.vessel.side_moves},
             {"clumps", dem::clumps_to_json(test.specimen.clumps)}};
+    if (!test.specimen.membrane) return;
+    json["membrane"] = dem::scene_to_json(test.specimen.membrane->scene);
+    json["membrane_radius"] = test.specimen.vessel.membrane_radius;
   }
   friend void from_json(const nlohmann::json& json, Test& test) {
     json.at("test").get_to(test.state);
     json.at("pressure").get_to(test.specimen.vessel.pressure);
     json.at("top_moves").get_to(test.specimen.vessel.top_moves);
     json.at("side_moves").get_to(test.specimen.vessel.side_moves);
-    test.saved_clumps_ = json.at("clumps");
+    test.saved_ = json;
   }
 
  private:
   double solid_volume_ = 0.0;  ///< [m^3]
   double nominal_ = 0.0;       ///< [N/m]
   dem::EnergyWatch watch_;
-  nlohmann::json saved_clumps_;                    ///< restored after the scene is
+  nlohmann::json saved_;                           ///< restored after the scene is
   static constexpr double probe_skin = 0.1e-3;     ///< grains hardly move from loading on [m]
   static constexpr std::int64_t look_every = 100;  ///< steps between two looks at time step, energy and equilibrium
 
@@ -250,7 +260,7 @@ class Test {
     state.phase_start = scene.time;
     state.start_place = bottom();
     state.next_point = plan.strain_slow;
-    if (state.phase == Phase::confine) specimen.vessel.side_moves = true;
+    if (state.phase == Phase::confine) specimen.vessel.side_moves = !specimen.membrane;
     if (state.phase == Phase::load) {
       specimen.set_skin(probe_skin);
       state.height = Vessel::height(scene);

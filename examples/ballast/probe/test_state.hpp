@@ -25,6 +25,7 @@ struct TestPlan {
   double strain_slow = 1e-9;   ///< strain up to which it is slowest [1]
   double strain_fast = 1e-4;   ///< strain from which it is fastest [1]
   double most_strain = 1e-3;   ///< axial, at the end of loading [1]
+  bool membrane = false;       ///< flexible, in the place of the breathing cylinder
   bool unloads = true;         ///< whether hold and unload follow
   int points_per_decade = 20;  ///< of strain
   double safety = 0.8;         ///< share of the stable step
@@ -33,8 +34,8 @@ struct TestPlan {
   double noise_strain = 1e-6;
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TestPlan, pressure, settle_time, confine_time, unbalanced, longest_rest, hold_time,
-                                   slowest, fastest, strain_slow, strain_fast, most_strain, unloads, points_per_decade,
-                                   safety, noise_levels, noise_strain)
+                                   slowest, fastest, strain_slow, strain_fast, most_strain, membrane, unloads,
+                                   points_per_decade, safety, noise_levels, noise_strain)
 
 /// One row of a curve.
 struct Point {
