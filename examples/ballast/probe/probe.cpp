@@ -154,8 +154,8 @@ int main(int argc, char** argv) {
   app.add_flag("--membrane", options.plan.membrane, "a flexible membrane in the place of the breathing cylinder");
   app.add_option("--confine", options.plan.confine_time, "time in which the pressure grows [s] (default: 0.5)")
       ->check(CLI::Range(0.01, 10.0));
-  app.add_option("--safety", options.plan.safety, "share of the stable step (default: 0.8)")
-      ->check(CLI::Range(0.05, 1.0));
+  app.add_option("--safety", options.plan.safety, "share of the stable step (default: 0.6)")
+      ->check(CLI::Range(0.05, 0.8));
   return common::run_program(app, argc, argv, [&options] {
     if (options.full) {
       options.size.diameter = 0.3;

@@ -175,9 +175,9 @@ inline void shrink(Sample& sample, const std::vector<dem::ClumpShape>& shapes, d
   sample.radius *= start;
   sample.height *= start;
   Specimen<SoftLaw> specimen(boundary_law(soft), boundary_law(soft), shapes, sample);
-  specimen.set_skin(3e-3);
+  specimen.set_skin(5e-3);
   auto& scene = specimen.scene;
-  scene.time_step = 0.8 * dem::stable_time_step(scene, specimen.clumps, 4.0 * soft);
+  scene.time_step = 0.5 * dem::stable_time_step(scene, specimen.clumps, 4.0 * soft);
   const auto steps = static_cast<std::int64_t>(std::ceil(duration / scene.time_step));
   scene.time_step = duration / static_cast<double>(steps);
   for (std::int64_t i = 0; i < steps * 5 / 4; ++i) {
@@ -199,7 +199,7 @@ inline void relax(Sample& sample, const std::vector<dem::ClumpShape>& shapes, do
     common::stop_if_requested();
     if (scene.steps % 100 == 0) {
       specimen.clumps.start(scene);
-      scene.time_step = 0.8 * dem::stable_time_step(scene, specimen.clumps, nominal_stiffness);
+      scene.time_step = 0.5 * dem::stable_time_step(scene, specimen.clumps, nominal_stiffness);
     }
     specimen.step();
   }

@@ -4,7 +4,7 @@
 // A shape is a polyhedron, filled with spheres. Its faces are tangent planes of an ellipsoid of semi-axes L : I : S, along
 // directions of a spiral; some are moved inward, so that no two faces or corners are alike. Spheres that lie inside are chosen
 // one after the other, each the one that fills most of the volume that is still empty; the smallest radius bounds how sharp
-// corners become. Names and axes, before filling:
+// corners become. The three, once filled:
 //
 //              intermediate/longest   shortest/intermediate
 //   blocky     .88                    .80

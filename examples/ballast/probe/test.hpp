@@ -12,8 +12,6 @@
 // timings), so that each decade of strain takes about as long.
 #pragma once
 
-#include <numeric>
-
 #include "dem/cases.hpp"
 #include "dem/clump_checkpoint.hpp"
 #include "dem/energy_watch.hpp"
@@ -51,7 +49,8 @@ class Test {
       step();
       if (specimen.scene.steps % look_every == 0) {
         check();
-        control.between_steps(specimen.scene, *this, share_done());
+        control.between_steps(specimen.scene, *this,
+                              share_done(plan, state.phase, phase_time(), Vessel::height(specimen.scene)));
       }
     }
     return state;
@@ -210,17 +209,6 @@ class Test {
     double sum = 0.0;
     for (const dem::Clump& c : specimen.clumps.all) sum -= c.mass * specimen.scene.gravity.dot(c.position);
     return sum;
-  }
-
-  /// Share of the work, from the time that each phase takes; rest is a guess.
-  double share_done() const {
-    const double height = Vessel::height(specimen.scene), growth = std::log(plan.strain_fast / plan.strain_slow) + 1.0;
-    const double load = height / plan.fastest * (plan.most_strain + plan.strain_fast * growth);
-    const std::array<double, 7> times{
-        {plan.settle_time, plan.confine_time, 0.15, load, plan.hold_time, 0.9 * load, 0.0}};
-    const auto phase = static_cast<std::size_t>(state.phase);
-    const double all = std::accumulate(times.begin(), times.end(), 0.0);
-    return (std::accumulate(times.begin(), times.begin() + phase, 0.0) + std::min(times[phase], phase_time())) / all;
   }
 
   bool phase_is_over() {

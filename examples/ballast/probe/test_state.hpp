@@ -2,7 +2,9 @@
 // What a test of one law is told, what it records, and what it keeps from step to step.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,7 @@ struct TestPlan {
   bool membrane = false;       ///< flexible, in the place of the breathing cylinder
   bool unloads = true;         ///< whether hold and unload follow
   int points_per_decade = 20;  ///< of strain
-  double safety = 0.8;         ///< share of the stable step
+  double safety = 0.6;         ///< share of the stable step
   /// Unbalanced forces, falling, at which a copy of the specimen is loaded to `noise_strain`, to see the noise of its modulus.
   std::vector<double> noise_levels;
   double noise_strain = 1e-6;
@@ -36,6 +38,21 @@ struct TestPlan {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TestPlan, pressure, settle_time, confine_time, unbalanced, longest_rest, hold_time,
                                    slowest, fastest, strain_slow, strain_fast, most_strain, membrane, unloads,
                                    points_per_decade, safety, noise_levels, noise_strain)
+
+/// Share of a test that is done, from the time that each phase takes; that of rest is a guess.
+inline double share_done(const TestPlan& plan, Phase phase, double phase_time, double height) {
+  const double growth = std::log(plan.strain_fast / plan.strain_slow) + 1.0;
+  const double load = height / plan.fastest * (plan.most_strain + plan.strain_fast * growth);
+  const double unload = plan.unloads ? 0.9 * load : 0.0;
+  const std::array<double, 7> times{{plan.settle_time, plan.confine_time, 0.15, load, plan.hold_time, unload, 0.0}};
+  const auto now = static_cast<std::size_t>(phase);
+  double before = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    all += times[i];
+    if (i < now) before += times[i];
+  }
+  return (before + std::min(times[now], phase_time)) / all;
+}
 
 /// One row of a curve.
 struct Point {
