@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// What a step of the broad Class 5 specimen costs (13 500 grains of 4.8 to 23 mm, dry hill law, at rest under 150 kPa), and its
+// parts, on one core:
+//
+//   step            a whole step, grains in spatial order
+//   step_shuffled   the same with the grains in random order
+//   contacts        gather, law and scatter of all contacts between grains
+//   law             the law alone, on columns of as many contacts
+//   neighbours      one search for neighbours; `per_step`: over the steps between two searches while the specimen is strained
+//   look            time step, energy and stiffness of the walls, once in a hundred steps
+//   triad           STREAM's triad, beside them
+//
+//   bench_class5 PACKING.json [Google Benchmark's options]
+//
+// packs the grains first where the file is not there (minutes), and keeps them in it. `per_contact` is time per listed contact.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <numeric>
+
+#include "contactlaws/batch.hpp"
+#include "contactlaws/scalars/xsimd.hpp"
+#include "memo/class5/packing.hpp"
+
+namespace {
+
+using namespace class5;
+
+Packing packed(const std::string& file) {
+  PackingSettings settings;
+  settings.grading = "broad";
+  dem::CaseControl control(file, settings.to_json());
+  if (!control.has_result()) {
+    std::puts("packing 13 500 grains ...");
+    control.finish(pack(settings, control));
+  }
+  return control.result();
+}
+
+/// The packing under the hill law, at rest.
+std::unique_ptr<Vessel<DryLaw>> at_rest(Packing packing, bool shuffled) {
+  if (shuffled) {
+    std::mt19937_64 engine(1);
+    std::shuffle(packing.grains.begin(), packing.grains.end(), engine);
+  } else {
+    sort_in_space(packing.grains);
+  }
+  auto vessel = std::make_unique<Vessel<DryLaw>>(hill_law(), packing.size, packing.grains);
+  for (int step = 0; step < 1000; ++step) {
+    if (vessel->looks()) vessel->look();
+    for (const std::size_t wall : {vessel->bottom, vessel->top, vessel->side}) vessel->hold_pressure(wall);
+    vessel->step();
+  }
+  return vessel;
+}
+
+void per_contact(benchmark::State& run, double contacts) {
+  run.counters["contacts"] = contacts;
+  run.counters["per_contact"] = benchmark::Counter(static_cast<double>(run.iterations()) * contacts,
+                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+double listed(const Vessel<DryLaw>& vessel) {
+  return static_cast<double>(vessel.scene.ball_contacts.size() + vessel.scene.wall_contacts.size());
+}
+
+void step(benchmark::State& run, Vessel<DryLaw>& vessel) {
+  for (auto _ : run) {
+    for (const std::size_t wall : {vessel.bottom, vessel.top, vessel.side}) vessel.hold_pressure(wall);
+    vessel.step();
+  }
+  per_contact(run, listed(vessel));
+}
+
+void contacts(benchmark::State& run, Vessel<DryLaw>& vessel) {
+  auto list = vessel.scene.ball_contacts;
+  const dem::BallMotion motion{vessel.scene.balls, vessel.scene.time_step};
+  for (auto _ : run) list.evaluate(vessel.scene.ball_law, motion, 0, list.size());
+  per_contact(run, static_cast<double>(list.size()));
+}
+
+void law(benchmark::State& run, Vessel<DryLaw>& vessel) {
+  const auto& list = vessel.scene.ball_contacts;
+  const std::size_t count = list.size();
+  std::vector<double> radius(count), mass(count), overlap(count);
+  std::array<std::vector<double>, 3> normal, velocity, shear, force;
+  for (auto* columns : {&normal, &velocity, &shear, &force})
+    for (auto& column : *columns) column.resize(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto contact = vessel.scene.ball_contact(c);
+    radius[c] = list.pair(c).effective_radius;
+    mass[c] = list.pair(c).effective_mass;
+    overlap[c] = contact.geometry.overlap;
+    std::array<double, DryLaw::state_size> state{};
+    DryLaw::store(list.state(c), state.data());
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      normal[axis][c] = contact.geometry.normal[i];
+      velocity[axis][c] = contact.motion.velocity[i];
+      shear[axis][c] = state[axis];
+    }
+  }
+  const auto pair = list.pair(0);
+  contactlaws::ContactBatch<DryLaw> batch;
+  batch.count = count;
+  batch.pair = {radius.data(), pair.effective_young, pair.effective_shear, mass.data(), pair.min_radius, pair.length};
+  batch.overlap = overlap.data();
+  batch.dt = vessel.scene.time_step;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    batch.normal[axis] = normal[axis].data();
+    batch.velocity[axis] = velocity[axis].data();
+    batch.state[axis] = batch.next[axis] = shear[axis].data();
+    batch.force[axis] = force[axis].data();
+  }
+  for (auto _ : run) contactlaws::evaluate<DryLaw, dem::Pack>(vessel.scene.ball_law, batch);
+  per_contact(run, static_cast<double>(count));
+}
+
+void neighbours(benchmark::State& run, Vessel<DryLaw>& vessel) {
+  auto scene = vessel.scene;
+  for (auto _ : run) scene.resume();
+  // Two grains approach by the strain times their distance; a list lasts until a grain has moved half its margin.
+  const double margin = scene.skin * *std::min_element(scene.balls.radius.begin(), scene.balls.radius.end());
+  const double speed = 0.1 * vessel.size().height / 2.0;  // of a platen, at 0.1/s
+  run.counters["steps_of_a_list"] = margin / 2.0 / speed / scene.time_step;
+  per_contact(run, listed(vessel));
+}
+
+void look(benchmark::State& run, Vessel<DryLaw>& vessel) {
+  for (auto _ : run) vessel.look();
+  per_contact(run, listed(vessel));
+}
+
+void triad(benchmark::State& run) {
+  constexpr std::size_t count = 10000000;
+  std::vector<double> a(count, 1.0), b(count, 2.0), c(count, 3.0);
+  for (auto _ : run) {
+    for (std::size_t i = 0; i < count; ++i) a[i] = b[i] + 3.0 * c[i];
+    benchmark::ClobberMemory();
+  }
+  run.counters["bandwidth"] =
+      benchmark::Counter(static_cast<double>(run.iterations()) * 24.0 * count, benchmark::Counter::kIsRate);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (argc != 2) {
+    std::fputs("usage: bench_class5 PACKING.json [options]\n", stderr);
+    return 2;
+  }
+  const Packing packing = packed(argv[1]);
+  const auto in_order = at_rest(packing, false), in_disorder = at_rest(packing, true);
+  const auto add = [](const char* name, void (*measure)(benchmark::State&, Vessel<DryLaw>&), Vessel<DryLaw>& vessel) {
+    benchmark::RegisterBenchmark(name, [measure, &vessel](benchmark::State& run) {
+      measure(run, vessel);
+    })->Unit(benchmark::kMicrosecond);
+  };
+  add("step", step, *in_order);
+  add("step_shuffled", step, *in_disorder);
+  add("contacts", contacts, *in_order);
+  add("law", law, *in_order);
+  add("neighbours", neighbours, *in_order);
+  add("look", look, *in_order);
+  benchmark::RegisterBenchmark("triad", triad)->Unit(benchmark::kMicrosecond);
+  benchmark::RunSpecifiedBenchmarks();
+}
