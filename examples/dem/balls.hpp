@@ -32,6 +32,7 @@ struct Ball {
   Vec3 velocity = Vec3::Zero();           ///< [m/s]
   Vec3 spin = Vec3::Zero();               ///< [rad/s]
   bool free = true;  ///< false: velocity and spin are prescribed. The mass counts in m* all the same.
+  int group = -1;    ///< see Balls
 };
 
 struct Balls {
@@ -45,6 +46,9 @@ struct Balls {
   std::vector<double> inertia;                         ///< 2/5 m R^2 [kg m^2]
   std::vector<contactlaws::ContactBody<double>> side;  ///< input of pair_properties()
   std::vector<char> free;                              ///< whether forces move it
+  /// No contact acts between two balls of one group. From 0 on it is a rigid body, which moves its balls (clumps.hpp); below -1
+  /// the balls move by themselves; -1 for none.
+  std::vector<int> group;
 
   std::size_t size() const { return position.size(); }
 
@@ -61,6 +65,7 @@ struct Balls {
     inertia.emplace_back();
     side.emplace_back();
     free.push_back(ball.free);
+    group.push_back(ball.group);
     set_body(size() - 1, ball.side);
     return static_cast<int>(size()) - 1;
   }

@@ -22,9 +22,10 @@ class EnergyWatch {
   /// To be called now and then, say every hundred steps. @throws std::runtime_error if the energy that the scene had at the last
   /// look has doubled, the work apart. (Friction and damping only take energy. The default shear history may create some, but
   /// less than the shear energy stored.)
+  /// Bodies of the program's own, such as clumps, add their kinetic and potential energy [J].
   template <class Scene>
-  void look(const Scene& scene) {
-    double scale = 0.0, energy = 0.0;
+  void look(const Scene& scene, double kinetic_of_bodies = 0.0, double potential_of_bodies = 0.0) {
+    double scale = kinetic_of_bodies, energy = kinetic_of_bodies + potential_of_bodies;
     const Balls& balls = scene.balls;
     for (std::size_t b = 0; b < balls.size(); ++b) {
       if (!balls.free[b]) continue;

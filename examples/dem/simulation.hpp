@@ -43,6 +43,7 @@ class Simulation {
   Contacts<WallLaw, double> wall_contacts;  ///< few: evaluated one at a time
   double time = 0.0;                        ///< [s]
   std::int64_t steps = 0;                   ///< taken so far
+  std::int64_t listings = 0;                ///< of neighbours, so far
   double last_step = 0.0;   ///< [s]; 0 before the first: velocities then belong to the start, not to half a step before
   double contact_dt = 0.0;  ///< step over which the contacts were last evaluated [s]
 
@@ -100,20 +101,43 @@ class Simulation {
   }
 
   /// Advances by time_step. @throws std::invalid_argument if time_step, local_damping or threads is out of range
-  void step() {
+  void step() { finish_step(begin_step()); }
+
+  /// The two halves of a step, for a program that moves rigid bodies in between (clumps.hpp). The first moves free balls and
+  /// walls and returns whether one has moved far enough for neighbours to be listed anew; the second lists them if so, and
+  /// computes forces.
+  bool begin_step() {
     contactlaws::require_in(contactlaws::Range::positive(), time_step, "Simulation", "time_step", "s");
     contactlaws::require_in({0.0, 1.0, true, false}, local_damping, "Simulation", "local_damping", "1");
     contactlaws::require_in({1.0, std::numeric_limits<double>::infinity(), true, false}, threads, "Simulation",
                             "threads", "1");
     start();
-    // The kick spans from the middle of the last step to the middle of this one.
-    const bool moved_far = move((last_step + time_step) / 2.0, time_step);
+    const bool moved_far = move(kick(), time_step);
     last_step = time_step;
     time += time_step;
     ++steps;
-    if (moved_far) list_neighbours();
-    compute_forces(time_step);
+    return moved_far;
   }
+  void finish_step(bool moved_far) {
+    if (moved_far) list_neighbours();
+    compute_forces(last_step);
+  }
+  /// An unbalanced force or torque F less local damping: F - alpha |F| sign(v), per component (Itasca).
+  template <class Vector>
+  Vector damped(const Vector& load, const Vector& velocity) const {
+    if (!(local_damping > 0.0)) return load;
+    Vector left = load;
+    for (int i = 0; i < 3; ++i) {
+      if (velocity[i] > 0.0) left[i] -= local_damping * std::abs(load[i]);
+      if (velocity[i] < 0.0) left[i] += local_damping * std::abs(load[i]);
+    }
+    return left;
+  }
+
+  /// How far a body may move before neighbours are listed anew [m].
+  double allowed_motion() const { return margin_ / 2.0; }
+  /// From the middle of the last step to the middle of the next one [s].
+  double kick() const { return (last_step + time_step) / 2.0; }
 
   /// Lists neighbours and computes forces where bodies were added or changed; no time passes, so no history moves. Each step
   /// begins with it.
@@ -173,11 +197,12 @@ class Simulation {
     const Vec4 acceleration(gravity.x(), gravity.y(), gravity.z(), 0.0);
     in_parallel(threads, balls.size(), 1, [&, this](std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) {
+        if (balls.group[b] >= 0) continue;  // its body moves it
         auto position = balls.position[b].all(), velocity = balls.velocity[b].all(), spin = balls.spin[b].all();
         if (balls.free[b]) {
           const Vec4 force = balls.force[b].all() + balls.mass[b] * acceleration;
-          velocity += damped(force, velocity) * (kick / balls.mass[b]);
-          spin += damped(balls.torque[b].all(), spin) * (kick / balls.inertia[b]);
+          velocity += damped<Vec4>(force, velocity) * (kick / balls.mass[b]);
+          spin += damped<Vec4>(balls.torque[b].all(), spin) * (kick / balls.inertia[b]);
         }
         position += velocity * drift;
         if ((position - listed_at_[b].all()).squaredNorm() > allowed) far = true;
@@ -194,21 +219,11 @@ class Simulation {
     return far;
   }
 
-  /// An unbalanced force or torque F less local damping: F - alpha |F| sign(v), per component (Itasca).
-  Vec4 damped(const Vec4& load, const Vec4& velocity) const {
-    if (!(local_damping > 0.0)) return load;
-    Vec4 left = load;
-    for (int i = 0; i < 3; ++i) {
-      if (velocity[i] > 0.0) left[i] -= local_damping * std::abs(load[i]);
-      if (velocity[i] < 0.0) left[i] += local_damping * std::abs(load[i]);
-    }
-    return left;
-  }
-
   // Neighbours --------------------------------------------------------------------------------------------------------
 
   /// Lists pairs with gaps up to the margin, and `more` [m].
   void list_neighbours(double more = 0.0) {
+    ++listings;
     margin_ = balls.size() > 0 ? skin * *std::min_element(balls.radius.begin(), balls.radius.end()) : 0.0;
     const double reach = margin_ + more;
     const auto index = [](std::size_t i) { return std::array<std::size_t, 1>{i}; };
@@ -218,12 +233,18 @@ class Simulation {
     const auto wall_overlap = [&, this](std::size_t w, std::size_t b) {
       return wall_motion().template at<double>(index(w), index(b)).geometry.overlap;
     };
+    std::vector<Pair> near = find_neighbours(balls.position, balls.radius, reach);
+    const auto in_one_body = [this](const Pair& pair) {
+      const int group = balls.group[static_cast<std::size_t>(pair.first)];
+      return group != -1 && group == balls.group[static_cast<std::size_t>(pair.second)];
+    };
+    near.erase(std::remove_if(near.begin(), near.end(), in_one_body), near.end());
     std::vector<Pair> at_walls;
     for (std::size_t w = 0; w < walls.size(); ++w)
       for (std::size_t b = 0; b < balls.size(); ++b)
         if (-wall_overlap(w, b) <= reach) at_walls.push_back({static_cast<int>(w), static_cast<int>(b)});
     ball_contacts.list(
-        ball_law, find_neighbours(balls.position, balls.radius, reach), reach, balls.size(), balls.size(),
+        ball_law, near, reach, balls.size(), balls.size(),
         [this](std::size_t i, std::size_t j) { return contactlaws::pair_properties(balls.side[i], balls.side[j]); },
         ball_overlap);
     wall_contacts.list(

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// The sample that all laws share: clumps of ballast sizes in a cylinder, packed without stress at a given voids ratio.
+//
+// Clumps start apart from each other in a vessel twice as large, which shrinks slowly onto them, without friction and gravity,
+// under springs so soft that they give way. (The paper lets grains grow in a fixed vessel: the same, on another scale.) What
+// is left of overlaps would be kilonewtons under Hertz and would count as loading history, so they are relaxed under Hertz,
+// still without friction, before a test begins.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <stdexcept>
+
+#include "common/progress.hpp"
+#include "dem/checkpoint.hpp"
+#include "dem/clump_measures.hpp"
+#include "laws.hpp"
+#include "membrane.hpp"
+#include "shapes.hpp"
+#include "vessel.hpp"
+
+namespace probe {
+
+struct Grain {
+  std::size_t shape;  ///< index in unit_clumps()
+  double size;        ///< sieve size [m]
+  Vec3 position = Vec3::Zero();
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+
+struct Sample {
+  double radius, height;  ///< of the vessel [m]
+  std::vector<Grain> grains;
+};
+
+struct SampleSize {
+  double diameter = 0.16, height = 0.24;  ///< of the vessel [m]
+  double voids_ratio = 0.700;             ///< volume of voids over volume of grains [1]
+  std::uint64_t seed = 1;
+};
+
+inline void to_json(nlohmann::json& json, const Grain& grain) {
+  const Eigen::Quaterniond& q = grain.orientation;
+  json = {grain.shape, grain.size, grain.position, nlohmann::json{q.w(), q.x(), q.y(), q.z()}};
+}
+inline void from_json(const nlohmann::json& json, Grain& grain) {
+  json.at(0).get_to(grain.shape);
+  json.at(1).get_to(grain.size);
+  json.at(2).get_to(grain.position);
+  const nlohmann::json& q = json.at(3);
+  grain.orientation = Eigen::Quaterniond(q.at(0), q.at(1), q.at(2), q.at(3));
+}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sample, radius, height, grains)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SampleSize, diameter, height, voids_ratio, seed)
+
+/// Random numbers that are the same on every machine.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
+  }
+  /// Uniform over all orientations (Shoemake 1992).
+  Eigen::Quaterniond orientation() {
+    const double pi = contactlaws::pi<double>();
+    const double u = uniform(0.0, 1.0), v = uniform(0.0, 2.0 * pi), w = uniform(0.0, 2.0 * pi);
+    const double a = std::sqrt(1.0 - u), b = std::sqrt(u);
+    return {b * std::cos(w), a * std::sin(v), a * std::cos(v), b * std::sin(w)};
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// Grains whose volume fills the vessel at the voids ratio. Each new one is of the sieve class that lacks most; the shapes take
+/// turns. At the end all sizes are scaled by a little, so that the volume is exact.
+inline std::vector<Grain> draw_grains(const SampleSize& size, const std::vector<dem::ClumpShape>& shapes, Draw& draw) {
+  const double wanted =
+      contactlaws::pi<double>() / 4.0 * size.diameter * size.diameter * size.height / (1.0 + size.voids_ratio);
+  std::array<double, ballast_sizes.size()> lacking{};
+  for (std::size_t k = 0; k < lacking.size(); ++k) lacking[k] = ballast_sizes[k].share * wanted;
+  std::vector<Grain> grains;
+  double placed = 0.0;
+  while (placed < wanted) {
+    const auto most = static_cast<std::size_t>(std::max_element(lacking.begin(), lacking.end()) - lacking.begin());
+    const double sieve = draw.uniform(ballast_sizes[most].low, ballast_sizes[most].high);
+    const std::size_t shape = grains.size() % shapes.size();
+    const double volume = shapes[shape].volume * sieve * sieve * sieve;
+    lacking[most] -= volume;
+    placed += volume;
+    grains.push_back({shape, sieve});
+  }
+  for (Grain& grain : grains) grain.size *= std::cbrt(wanted / placed);
+  return grains;
+}
+
+/// Random places, apart from each other, in a vessel of this radius and height [m]; the largest first.
+inline void scatter(std::vector<Grain>& grains, const std::vector<dem::ClumpShape>& shapes, double radius,
+                    double height, Draw& draw) {
+  std::sort(grains.begin(), grains.end(), [](const Grain& a, const Grain& b) { return a.size > b.size; });
+  const auto reach = [&shapes](const Grain& grain) { return shapes[grain.shape].reach * grain.size; };
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    Grain& grain = grains[i];
+    const double own = reach(grain);
+    for (int attempt = 0;; ++attempt) {
+      if (attempt == 100000) throw std::runtime_error("grains do not fit apart into the vessel before it shrinks");
+      const double x = draw.uniform(own - radius, radius - own);
+      const double y = draw.uniform(own - radius, radius - own);
+      const double z = draw.uniform(own, height - own);
+      if (std::hypot(x, y) > radius - own) continue;
+      grain.position = {x, y, z};
+      if (std::all_of(grains.begin(), grains.begin() + static_cast<std::ptrdiff_t>(i), [&](const Grain& other) {
+            return (other.position - grain.position).norm() > own + reach(other);
+          }))
+        break;
+    }
+    grain.orientation = draw.orientation();
+  }
+}
+
+/// A scene of the sample's grains in their vessel.
+template <class Law>
+struct Specimen {
+  dem::Simulation<Law, Boundary> scene;
+  dem::Clumps clumps;
+  Vessel vessel;
+  std::optional<Membrane> membrane;
+
+  Specimen(const Law& law, const Boundary& boundary, const std::vector<dem::ClumpShape>& shapes, const Sample& sample)
+      : scene(law, boundary) {
+    scene.local_damping = 0.7;
+    scene.log = nullptr;
+    vessel.add_to(scene, sample.radius, sample.height);
+    for (const Grain& grain : sample.grains)
+      clumps.add(scene, shapes[grain.shape].scaled(grain.size), granite, grain.position, grain.orientation);
+    set_skin(0.3e-3);
+  }
+
+  /// Neighbours are listed up to gaps of `gap` [m]: few where grains hardly move.
+  void set_skin(double gap) {
+    scene.skin = gap / *std::min_element(scene.balls.radius.begin(), scene.balls.radius.end());
+  }
+  /// Puts a membrane in the place of the cylinder.
+  void add_membrane(const MembraneSettings& settings) {
+    dem::Wall& cylinder = scene.walls[Vessel::side];
+    membrane.emplace(settings, cylinder.radius, Vessel::height(scene));
+    membrane->surround(scene, clumps);
+    vessel.membrane_radius = cylinder.radius;
+    cylinder.radius += 1.0;  // out of reach
+  }
+  void step() {
+    vessel.push(scene);
+    clumps.step(scene);
+    if (!membrane) return;
+    const auto speed = [this](std::size_t wall) { return scene.walls[wall].velocity.z(); };
+    membrane->step(scene, clumps, vessel.pressure, speed(Vessel::bottom), speed(Vessel::top));
+    if (scene.steps % 100 == 0) vessel.membrane_radius = membrane->mean_radius();
+  }
+  void take_places(Sample& sample) const {
+    sample.radius = vessel.radius(scene);
+    sample.height = Vessel::height(scene);
+    for (std::size_t i = 0; i < sample.grains.size(); ++i) {
+      sample.grains[i].position = clumps.all[i].position;
+      sample.grains[i].orientation = clumps.all[i].orientation;
+    }
+  }
+};
+
+/// Shrinks the vessel from `start` times its size, within `duration` [s]; then lets the grains come to rest for a quarter of it.
+inline void shrink(Sample& sample, const std::vector<dem::ClumpShape>& shapes, double start, double duration) {
+  using SoftLaw = Boundary;
+  constexpr double soft = 1e5;  // [N/m]
+  const double radius = sample.radius, height = sample.height;
+  sample.radius *= start;
+  sample.height *= start;
+  Specimen<SoftLaw> specimen(boundary_law(soft), boundary_law(soft), shapes, sample);
+  specimen.set_skin(5e-3);
+  auto& scene = specimen.scene;
+  scene.time_step = 0.5 * dem::stable_time_step(scene, specimen.clumps, 4.0 * soft);
+  const auto steps = static_cast<std::int64_t>(std::ceil(duration / scene.time_step));
+  scene.time_step = duration / static_cast<double>(steps);
+  for (std::int64_t i = 0; i < steps * 5 / 4; ++i) {
+    common::stop_if_requested();
+    const bool shrinks = i < steps;
+    scene.walls[Vessel::top].velocity.z() = shrinks ? -(start - 1.0) * height / duration : 0.0;
+    scene.walls[Vessel::side].radial_velocity = shrinks ? -(start - 1.0) * radius / duration : 0.0;
+    specimen.step();
+  }
+  specimen.take_places(sample);
+}
+
+/// Lets grains that overlap drive each other apart under Hertz's law, without friction, for `duration` [s].
+inline void relax(Sample& sample, const std::vector<dem::ClumpShape>& shapes, double duration,
+                  double nominal_stiffness) {
+  Specimen<Hertz> specimen(make_law<Hertz>(0.0), boundary_law(), shapes, sample);
+  auto& scene = specimen.scene;
+  while (scene.time < duration) {
+    common::stop_if_requested();
+    if (scene.steps % 100 == 0) {
+      specimen.clumps.start(scene);
+      scene.time_step = 0.5 * dem::stable_time_step(scene, specimen.clumps, nominal_stiffness);
+    }
+    specimen.step();
+  }
+  specimen.take_places(sample);
+}
+
+/// A stiffness that contacts of this sample reach under the pressure [N/m]: Hertz's under a force of p d^2, d a grain's size.
+inline double nominal_stiffness(double pressure) {
+  constexpr double size = 40e-3, pebble = 6e-3;
+  const auto pair =
+      contactlaws::pair_properties(contactlaws::sphere(granite, pebble), contactlaws::sphere(granite, pebble));
+  const double force = pressure * size * size;
+  return std::cbrt(6.0 * pair.effective_young * pair.effective_young * force * pair.effective_radius);
+}
+
+inline Sample make_sample(const SampleSize& size, const std::vector<dem::ClumpShape>& shapes) {
+  Draw draw(size.seed);
+  Sample sample{size.diameter / 2.0, size.height, draw_grains(size, shapes, draw)};
+  constexpr double start = 2.0;  // bounding spheres then fill a quarter of the vessel
+  scatter(sample.grains, shapes, start * sample.radius, start * sample.height, draw);
+  shrink(sample, shapes, start, 1.0);
+  relax(sample, shapes, 0.03, nominal_stiffness(150e3));
+  return sample;
+}
+
+}  // namespace probe

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// The test of one law on one sample (Tolomeo & McDowell 2022, section 3 and Fig. 5), in phases:
+//
+//   settle    gravity on; grains and top platen come down
+//   confine   the pressure on cylinder and top platen grows linearly to its target
+//   rest      until the unbalanced force is small, since it is the noise of the modulus
+//   load      the bottom platen rises, the top one is held
+//   hold      the bottom platen stops, until motion has died down
+//   unload    the bottom platen goes down, until the deviator stress is what it was before loading
+//
+// The speed of the bottom platen grows with the strain of its phase, from 1e-8 m/s at 1e-9 to 1e-3 m/s at 1e-4 (the paper's
+// timings), so that each decade of strain takes about as long.
+#pragma once
+
+#include "dem/cases.hpp"
+#include "dem/clump_checkpoint.hpp"
+#include "dem/energy_watch.hpp"
+#include "micro.hpp"
+#include "sample.hpp"
+#include "test_state.hpp"
+
+namespace probe {
+
+template <class Law>
+class Test {
+ public:
+  TestPlan plan;
+  Specimen<Law> specimen;
+  TestState state;
+
+  Test(const TestPlan& test_plan, const std::vector<dem::ClumpShape>& shapes, const Sample& sample)
+      : plan(test_plan), specimen(make_law<Law>(friction), boundary_law(), shapes, sample) {
+    state.at_rest = sample;
+    if (plan.membrane) specimen.add_membrane(MembraneSettings::around_vessel(sample.radius, sample.height));
+    specimen.scene.gravity = {0.0, 0.0, -9.81};
+    specimen.vessel.top_moves = true;
+    for (const dem::Clump& clump : specimen.clumps.all) solid_volume_ += clump.mass / granite.density;
+    nominal_ = nominal_stiffness(plan.pressure);
+  }
+
+  double unbalanced() const { return dem::unbalanced_force(specimen.scene, specimen.clumps); }
+  Micro micro() const { return observe(specimen.scene, specimen.clumps, volume(), solid_volume_); }
+
+  /// Runs the test to its end, from where an earlier run left it. @throws common::Stopped; std::runtime_error if a step is
+  /// unstable or a grain leaves the vessel
+  TestState run(dem::CaseControl& control) {
+    take_up(control);
+    while (state.phase != Phase::done) {
+      step();
+      if (specimen.scene.steps % look_every == 0) {
+        check();
+        control.between_steps(specimen.scene, *this,
+                              share_done(plan, state.phase, phase_time(), Vessel::height(specimen.scene)));
+      }
+    }
+    return state;
+  }
+
+  /// Takes up the state of an earlier run. Whether there was one.
+  bool take_up(dem::CaseControl& control) {
+    if (!control.resume(specimen.scene, *this)) return false;
+    if (state.phase >= Phase::load) specimen.set_skin(probe_skin);
+    dem::clumps_from_json(saved_.at("clumps"), specimen.clumps, specimen.scene);
+    if (specimen.membrane) {
+      dem::scene_from_json(saved_.at("membrane"), specimen.membrane->scene);
+      specimen.membrane->resume();
+      saved_.at("membrane_radius").get_to(specimen.vessel.membrane_radius);
+    }
+    saved_ = nlohmann::json();
+    return true;
+  }
+
+  /// One step of the test.
+  void step() {
+    auto& scene = specimen.scene;
+    if (scene.steps % look_every == 0) {
+      specimen.clumps.start(scene);
+      scene.time_step = plan.safety * dem::stable_time_step(scene, specimen.clumps, nominal_);
+    }
+    control_walls();
+    specimen.step();
+    watch_.add_step(scene);
+    const bool probes = state.phase == Phase::load || state.phase == Phase::unload;
+    if (probes) record_if_due();
+    if (scene.steps % look_every == 0 || probes) end_phase_if_due();
+  }
+
+  friend void to_json(nlohmann::json& json, const Test& test) {
+    json = {{"test", test.state},
+            {"pressure", test.specimen.vessel.pressure},
+            {"top_moves", test.specimen.vessel.top_moves},
+            {"side_moves", test.specimen.vessel.side_moves},
+            {"clumps", dem::clumps_to_json(test.specimen.clumps)}};
+    if (!test.specimen.membrane) return;
+    json["membrane"] = dem::scene_to_json(test.specimen.membrane->scene);
+    json["membrane_radius"] = test.specimen.vessel.membrane_radius;
+  }
+  friend void from_json(const nlohmann::json& json, Test& test) {
+    json.at("test").get_to(test.state);
+    json.at("pressure").get_to(test.specimen.vessel.pressure);
+    json.at("top_moves").get_to(test.specimen.vessel.top_moves);
+    json.at("side_moves").get_to(test.specimen.vessel.side_moves);
+    test.saved_ = json;
+  }
+
+ private:
+  double solid_volume_ = 0.0;  ///< [m^3]
+  double nominal_ = 0.0;       ///< [N/m]
+  dem::EnergyWatch watch_;
+  nlohmann::json saved_;                           ///< restored after the scene is
+  static constexpr double probe_skin = 0.1e-3;     ///< grains hardly move from loading on [m]
+  static constexpr std::int64_t look_every = 100;  ///< steps between two looks at time step, energy and equilibrium
+
+  double volume() const { return specimen.vessel.area(specimen.scene) * Vessel::height(specimen.scene); }
+  double phase_time() const { return specimen.scene.time - state.phase_start; }
+  double bottom() const { return specimen.scene.walls[Vessel::bottom].point.z(); }
+  double phase_strain() const { return std::abs(bottom() - state.start_place) / state.height; }
+  double deviator() const {
+    return specimen.vessel.axial_stress(specimen.scene) - specimen.vessel.radial_stress(specimen.scene);
+  }
+
+  /// Pressure and speed of the bottom platen for the next step.
+  void control_walls() {
+    auto& scene = specimen.scene;
+    double speed = 0.0;
+    switch (state.phase) {
+      case Phase::confine:
+        specimen.vessel.pressure = plan.pressure * std::min(1.0, phase_time() / plan.confine_time);
+        break;
+      case Phase::load:
+        speed = probe_speed();
+        break;
+      case Phase::unload:
+        speed = -probe_speed();
+        break;
+      default:
+        break;
+    }
+    scene.walls[Vessel::bottom].velocity = {0.0, 0.0, speed};
+  }
+  double probe_speed() const {
+    const double way = (phase_strain() - plan.strain_slow) / (plan.strain_fast - plan.strain_slow);
+    return plan.slowest + (plan.fastest - plan.slowest) * std::clamp(way, 0.0, 1.0);
+  }
+
+  void record_if_due() {
+    const double strain = phase_strain();
+    if (strain < state.next_point) return;
+    while (state.next_point <= strain) state.next_point *= std::pow(10.0, 1.0 / plan.points_per_decade);
+    record();
+  }
+  void record() {
+    const auto& scene = specimen.scene;
+    const Micro now = micro();
+    const auto number = [](const Branch& branch) { return static_cast<double>(branch.count); };
+    const Point point{phase_strain(),
+                      (bottom() - state.first_place) / state.height,
+                      specimen.vessel.axial_stress(scene),
+                      specimen.vessel.radial_stress(scene),
+                      now.stress(2, 2),
+                      (now.stress(0, 0) + now.stress(1, 1)) / 2.0,
+                      now.coordination,
+                      now.touching_grains,
+                      now.fabric,
+                      number(now.all),
+                      number(now.virgin),
+                      number(now.unloading),
+                      number(now.reloading),
+                      now.virgin.direction(),
+                      now.unloading.direction(),
+                      now.reloading.direction(),
+                      now.force_over_largest,
+                      unbalanced()};
+    (state.phase == Phase::load ? state.load : state.unload).push_back(point);
+    state.largest_force = std::max(state.largest_force, now.largest_force);
+  }
+
+  /// Loads copies of the specimen, each when the unbalanced force has fallen to the next of the levels.
+  void probe_noise() {
+    const std::size_t next = state.noise.size();
+    if (next >= plan.noise_levels.size() || state.rest_unbalanced > plan.noise_levels[next]) return;
+    Test copy = *this;
+    copy.plan.noise_levels.clear();
+    copy.plan.unbalanced = 1.0;
+    copy.plan.most_strain = plan.noise_strain;
+    while (copy.state.phase != Phase::hold) {
+      common::stop_if_requested();
+      copy.step();
+      if (copy.state.phase == Phase::rest) copy.end_phase_if_due();
+    }
+    state.noise.push_back({state.rest_unbalanced, copy.state.load});
+  }
+
+  /// @throws std::runtime_error if a step is unstable or a grain has left the vessel
+  void check() {
+    const auto& scene = specimen.scene;
+    watch_.look(scene, dem::kinetic_energy(specimen.clumps), potential_energy());
+    const double radius = specimen.vessel.radius(scene), low = bottom(), high = low + Vessel::height(scene);
+    for (std::size_t i = 0; i < specimen.clumps.size(); ++i) {
+      const Vec3& place = specimen.clumps.all[i].position;
+      if (std::hypot(place.x(), place.y()) < radius && place.z() > low && place.z() < high) continue;
+      throw std::runtime_error(
+          "grain " + std::to_string(i) + " has left the vessel at " + std::to_string(scene.time) + " s (step " +
+          std::to_string(scene.steps) + ", phase " + phase_names[static_cast<std::size_t>(state.phase)] +
+          "). Try a smaller share of the stable step (--safety) or a slower confinement (--confine).");
+    }
+  }
+  double potential_energy() const {
+    double sum = 0.0;
+    for (const dem::Clump& c : specimen.clumps.all) sum -= c.mass * specimen.scene.gravity.dot(c.position);
+    return sum;
+  }
+
+  bool phase_is_over() {
+    switch (state.phase) {
+      case Phase::settle:
+        return phase_time() >= plan.settle_time;
+      case Phase::confine:
+        return phase_time() >= plan.confine_time;
+      case Phase::rest:
+        state.rest_unbalanced = unbalanced();
+        probe_noise();
+        return state.rest_unbalanced <= plan.unbalanced || phase_time() >= plan.longest_rest;
+      case Phase::load:
+        return phase_strain() >= plan.most_strain;
+      case Phase::hold:
+        return phase_time() >= plan.hold_time;
+      case Phase::unload:
+        return deviator() <= state.first_deviator || phase_strain() >= plan.most_strain;
+      case Phase::done:
+        return false;
+    }
+    return false;
+  }
+
+  void end_phase_if_due() {
+    if (!phase_is_over()) return;
+    auto& scene = specimen.scene;
+    if (state.phase == Phase::rest) {
+      state.rest_time = phase_time();
+      state.voids_ratio = volume() / solid_volume_ - 1.0;
+      state.identity = micro().missing();
+      specimen.take_places(state.at_rest);
+    }
+    if (state.phase == Phase::load || state.phase == Phase::unload) record();
+    state.phase = static_cast<Phase>(static_cast<int>(state.phase) + 1);
+    if (state.phase == Phase::hold && !plan.unloads) state.phase = Phase::done;
+    state.phase_start = scene.time;
+    state.start_place = bottom();
+    state.next_point = plan.strain_slow;
+    if (state.phase == Phase::confine) specimen.vessel.side_moves = !specimen.membrane;
+    if (state.phase == Phase::load) {
+      specimen.set_skin(probe_skin);
+      state.height = Vessel::height(scene);
+      state.first_place = bottom();
+      state.first_deviator = deviator();
+      specimen.vessel.top_moves = false;
+      scene.walls[Vessel::top].velocity = Vec3::Zero();
+    }
+    if (state.phase == Phase::load || state.phase == Phase::unload) record();
+  }
+};
+
+}  // namespace probe
