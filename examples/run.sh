@@ -31,6 +31,9 @@ build/examples/bin/contact_curves build/results || wrong=$?
 # shellcheck disable=SC2086  # no word, where $full is empty
 build/examples/bin/class5 build/results $full || wrong=$?
 if [ $wrong -gt 1 ]; then exit $wrong; fi  # a fault, or stopped
+# shellcheck disable=SC2086
+build/examples/bin/probe build/results $full || wrong=$?
+if [ $wrong -gt 1 ]; then exit $wrong; fi
 
 # The first Python that has matplotlib: Debian's package serves /usr/bin/python3, which need not be the first on the path.
 for python in python3 /usr/bin/python3; do
@@ -39,6 +42,7 @@ done
 "$python" examples/memo/figures.py build/results
 "$python" examples/memo/class5/figures.py build/results
 "$python" examples/ballast/figures.py build/results
+"$python" examples/ballast/probe/figures.py build/results
 
 example=examples/contact_path
 mkdir -p build/results/contact_path
