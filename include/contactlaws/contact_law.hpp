@@ -150,7 +150,7 @@ struct ContactLaw {
       State scratch = state;
       const auto response = normal.respond(scratch, pair, closed);
       if constexpr (Shear::acts) total = total + shear.energy(state, shear.stiffness(pair, response));
-      if constexpr (Rolling::acts) total = total + rolling.energy(state, pair, response.stiffness);
+      if constexpr (Rolling::acts) total = total + rolling.energy(state, pair, rolling_stiffness(response));
     }
     if constexpr (Bridge::acts) total = total + bridge.energy(state, pair, overlap);
     return total;
@@ -186,6 +186,10 @@ struct ContactLaw {
   }
 
  private:
+  template <class Response>
+  CONTACTLAWS_HD static T rolling_stiffness(const Response& response) noexcept {
+    return adheres ? response.max_tangent : response.stiffness;
+  }
   /// Not where the overlap is NaN: the force is NaN then.
   CONTACTLAWS_HD Mask<T> is_open(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
     if constexpr (adheres) {
@@ -214,10 +218,11 @@ struct ContactLaw {
 
     const T separating = dot<T>(kinematics.velocity, kinematics.normal);
     result.normal_elastic = response.force;
-    T load;  // what presses the surfaces together: of an adhesive law, the contact pressure's sum
+    T load;  // what presses the surfaces together: of a law that pulls, with the adhesion that friction counts
     if constexpr (adheres) {
-      load = damping.normal_force(T(response.force + response.adhesion), dashpot.normal, separating);
-      result.normal_force = load - response.adhesion;
+      const T above_pull_off = damping.normal_force(T(response.force + response.pull_off), dashpot.normal, separating);
+      result.normal_force = Damping::acts ? T(above_pull_off - response.pull_off) : response.force;
+      load = above_pull_off + (response.adhesion - response.pull_off);
     } else {
       load = result.normal_force = damping.normal_force(response.force, dashpot.normal, separating);
     }
@@ -241,7 +246,7 @@ struct ContactLaw {
       result.dashpot_work =
           result.dashpot_work + (result.normal_elastic - result.normal_force) * separating * kinematics.dt;
     if constexpr (Rolling::acts) {
-      const RollingInput<T> input{pair, kinematics, response.stiffness, positive_part<T>(load)};
+      const RollingInput<T> input{pair, kinematics, rolling_stiffness(response), positive_part<T>(load)};
       const RollingResponse<T> rolled = rolling.respond(result.state, input);
       result.couple = rolled.couple;
       result.friction_work = result.friction_work + rolled.friction_work;

@@ -66,11 +66,24 @@ struct HertzResponse : NormalResponse<T> {
   T contact_radius;  ///< a [m]
 };
 
-/// Of normal laws that pull: `force` includes the pull.
+/// Of normal laws that pull: `force` includes the pull. The tangent may be negative: what needs a positive one (ConstantRatio,
+/// rolling) takes max_tangent.
 template <class T>
 struct AdhesiveResponse : HertzResponse<T> {
-  T adhesion;  ///< friction acts on force + adhesion; a clipped dashpot does not pull beyond it [N]
+  T pull_off;  ///< F_c, the largest pull: a clipped dashpot does not pull beyond it [N]
+  T adhesion;  ///< friction acts on force + adhesion [N]
 };
+
+/// What friction multiplies beside a normal law that pulls. Thornton (1991) takes the contact pressure's part alone.
+enum class AdhesiveFriction {
+  none,          ///< max(F, 0): a contact that pulls bears no shear
+  thornton_dmt,  ///< F + F_c
+  thornton_jkr   ///< F + 2 F_c
+};
+template <AdhesiveFriction rule, class T>
+CONTACTLAWS_HD T counted_adhesion(const T& pull_off) noexcept {
+  return T(rule == AdhesiveFriction::none ? 0 : rule == AdhesiveFriction::thornton_dmt ? 1 : 2) * pull_off;
+}
 
 template <class T>
 struct DampingCoefficients {
@@ -106,7 +119,7 @@ template <class T>
 struct RollingInput {
   const PairProperties<T>& pair;
   const ContactKinematics<T>& kinematics;
-  T normal_stiffness;  ///< tangent of the normal law [N/m]
+  T normal_stiffness;  ///< tangent of the normal law, of one that pulls max_tangent [N/m]
   T load;              ///< as ShearInput::friction_load [N]
 };
 

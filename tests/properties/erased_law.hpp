@@ -98,6 +98,8 @@ class ErasedLaw {
   virtual Dissipation<T> dissipation(const PairProperties<T>&, const State& before, const Step<T, State>&) const = 0;
   virtual T interaction_range(const PairProperties<T>&) const = 0;
   virtual Friction<T> friction() const = 0;
+  /// Whether the normal law holds the contact, at an overlap or beyond touch.
+  virtual bool touches(const PairProperties<T>&, const T& overlap, const State&) const = 0;
   /// What friction multiplies beside the normal force [N].
   virtual T adhesion(const PairProperties<T>&, const T& overlap) const = 0;
   /// The steps of a path with the law's own state kept from step to step, as a host in C++ keeps it.
@@ -194,6 +196,13 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
         result = {result.sliding, maximum<T>(value, result.sliding), minimum<T>(value, result.sliding)};
     }
     return result;
+  }
+  bool touches(const PairProperties<T>& pair, const T& overlap, const State& state) const override {
+    if constexpr (Law::adheres) {
+      return any<T>(law_.normal.touches(Law::load(state.data()), pair, overlap));
+    } else {
+      return any<T>(overlap > T(0));
+    }
   }
   T adhesion(const PairProperties<T>& pair, const T& overlap) const override {
     if constexpr (Law::adheres) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
+#include "contactlaws/core/cube_root.hpp"
 #include "contactlaws/core/scalar.hpp"
 
 namespace Eigen {
@@ -29,5 +30,18 @@ struct ScalarTraits<Eigen::AutoDiffScalar<Derivatives>> {
 
   static Number select(bool condition, const Number& yes, const Number& no) noexcept { return condition ? yes : no; }
   static bool any(bool condition) noexcept { return condition; }
+};
+
+template <class Derivatives>
+struct CubeRoot<Eigen::AutoDiffScalar<Derivatives>> {
+  using Number = Eigen::AutoDiffScalar<Derivatives>;
+  using Value = typename Derivatives::Scalar;
+
+  /// At 0 the derivative of the root is infinite; a constant 0 has none.
+  static Number of(const Number& x) noexcept {
+    const Value root = cube_root<Value>(x.value());
+    const Value slope = Value(1) / (Value(3) * root * root);
+    return {root, (x.derivatives().array() == Value(0)).select(Value(0), x.derivatives() * slope)};
+  }
 };
 }  // namespace contactlaws
