@@ -150,7 +150,7 @@ struct ContactLaw {
       State scratch = state;
       const auto response = normal.respond(scratch, pair, closed);
       if constexpr (Shear::acts) total = total + shear.energy(state, shear.stiffness(pair, response));
-      if constexpr (Rolling::acts) total = total + rolling.energy(state, pair, rolling_stiffness(response));
+      if constexpr (Rolling::acts) total = total + rolling.energy(state, pair, response.stiffness);
     }
     if constexpr (Bridge::acts) total = total + bridge.energy(state, pair, overlap);
     return total;
@@ -186,10 +186,6 @@ struct ContactLaw {
   }
 
  private:
-  template <class Response>
-  CONTACTLAWS_HD static T rolling_stiffness(const Response& response) noexcept {
-    return adheres ? response.max_tangent : response.stiffness;
-  }
   /// Not where the overlap is NaN: the force is NaN then.
   CONTACTLAWS_HD Mask<T> is_open(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
     if constexpr (adheres) {
@@ -246,7 +242,7 @@ struct ContactLaw {
       result.dashpot_work =
           result.dashpot_work + (result.normal_elastic - result.normal_force) * separating * kinematics.dt;
     if constexpr (Rolling::acts) {
-      const RollingInput<T> input{pair, kinematics, rolling_stiffness(response), positive_part<T>(load)};
+      const RollingInput<T> input{pair, kinematics, response.stiffness, positive_part<T>(load)};
       const RollingResponse<T> rolled = rolling.respond(result.state, input);
       result.couple = rolled.couple;
       result.friction_work = result.friction_work + rolled.friction_work;

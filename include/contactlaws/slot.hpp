@@ -54,8 +54,8 @@ struct RollingSlot {};
 
 template <class T>
 struct NormalResponse {
-  T force;        ///< elastic or elastic-plastic force, compression > 0 [N]
-  T stiffness;    ///< tangent dF/do of the active branch [N/m]
+  T force;      ///< elastic or elastic-plastic force, compression > 0 [N]
+  T stiffness;  ///< tangent dF/do of the active branch; positive, since shear and rolling scale with it (Jkr: 2 E* a) [N/m]
   T secant;       ///< force over elastic indentation: what dashpots scale with [N/m]
   T max_tangent;  ///< tangent of the stiffest branch that the next motion may follow, for the time step [N/m]
 };
@@ -66,8 +66,7 @@ struct HertzResponse : NormalResponse<T> {
   T contact_radius;  ///< a [m]
 };
 
-/// Of normal laws that pull: `force` includes the pull. The tangent may be negative: what needs a positive one (ConstantRatio,
-/// rolling) takes max_tangent.
+/// Of normal laws that pull: `force` includes the pull.
 template <class T>
 struct AdhesiveResponse : HertzResponse<T> {
   T pull_off;  ///< F_c, the largest pull: a clipped dashpot does not pull beyond it [N]
@@ -119,7 +118,7 @@ template <class T>
 struct RollingInput {
   const PairProperties<T>& pair;
   const ContactKinematics<T>& kinematics;
-  T normal_stiffness;  ///< tangent of the normal law, of one that pulls max_tangent [N/m]
+  T normal_stiffness;  ///< stiffness of the normal law [N/m]
   T load;              ///< as ShearInput::friction_load [N]
 };
 

@@ -184,7 +184,8 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
     T shear = T(0);
     if constexpr (has_shear<Law>) shear = law_.shear.stiffness(pair, normal);
     const T dashpot = law_.damping.coefficients(pair.effective_mass, normal.secant, shear).shear;
-    return {normal.stiffness, normal.max_tangent * law_.damping.stiffness_factor(), shear + dashpot};
+    return {tangent(law_.normal, pair, overlap, normal.stiffness), normal.max_tangent * law_.damping.stiffness_factor(),
+            shear + dashpot};
   }
   T interaction_range(const PairProperties<T>& pair) const override { return law_.interaction_range(pair); }
   Friction<T> friction() const override {
@@ -225,6 +226,16 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
   }
 
  private:
+  /// Of a law whose tangent may be negative it is a function of its own.
+  template <class Normal>
+  static auto tangent(const Normal& normal, const PairProperties<T>& pair, const T& overlap, const T&)
+      -> decltype(normal.tangent({}, pair, overlap)) {
+    return normal.tangent({}, pair, overlap);
+  }
+  template <class Normal, class... Other>
+  static T tangent(const Normal&, const PairProperties<T>&, const T&, const T& stiffness, const Other&...) {
+    return stiffness;
+  }
   static State erased(const typename Law::State& own) {
     State state;
     state.fill(T(0));

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "contactlaws/core/cube_root.hpp"
 #include "contactlaws/core/scalar.hpp"
+#include "contactlaws/core/sixth_root.hpp"
 
 namespace Eigen {
 /// base^exponent, both of them with derivatives (Eigen offers a constant exponent alone).
@@ -33,15 +33,18 @@ struct ScalarTraits<Eigen::AutoDiffScalar<Derivatives>> {
 };
 
 template <class Derivatives>
-struct CubeRoot<Eigen::AutoDiffScalar<Derivatives>> {
+struct SixthRootOf<Eigen::AutoDiffScalar<Derivatives>> {
   using Number = Eigen::AutoDiffScalar<Derivatives>;
   using Value = typename Derivatives::Scalar;
 
-  /// At 0 the derivative of the root is infinite; a constant 0 has none.
-  static Number of(const Number& x) noexcept {
-    const Value root = cube_root<Value>(x.value());
-    const Value slope = Value(1) / (Value(3) * root * root);
-    return {root, (x.derivatives().array() == Value(0)).select(Value(0), x.derivatives() * slope)};
+  /// At 0 the derivatives of the roots are infinite; a constant 0 has none.
+  static SixthRoot<Number> of(const Number& x) noexcept {
+    const SixthRoot<Value> root = sixth_root<Value>(x.value());
+    const auto with = [&x](const Value& value, const Value& exponent) {
+      const Derivatives slopes = x.derivatives() * (exponent * value / x.value());
+      return Number(value, (x.derivatives().array() == Value(0)).select(Value(0), slopes));
+    };
+    return {with(root.sixth, Value(1) / Value(6)), with(root.third, Value(1) / Value(3))};
   }
 };
 }  // namespace contactlaws

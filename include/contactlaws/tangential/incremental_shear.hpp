@@ -72,10 +72,6 @@ struct ConstantRatio {
   CONTACTLAWS_HD T stiffness(const PairProperties<T>&, const NormalResponse<T>& normal) const noexcept {
     return ratio * normal.stiffness;
   }
-  /// The tangent of a law that pulls may be negative: as ElasticRatio.
-  CONTACTLAWS_HD T stiffness(const PairProperties<T>&, const AdhesiveResponse<T>& normal) const noexcept {
-    return ratio * normal.max_tangent;
-  }
 };
 
 /// Shear stiffness in a constant ratio to the elastic (unloading) tangent of the normal law: continuous where a law with
