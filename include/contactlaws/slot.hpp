@@ -73,7 +73,7 @@ struct AdhesiveResponse : HertzResponse<T> {
   T adhesion;  ///< friction acts on force + adhesion [N]
 };
 
-/// What friction multiplies beside a normal law that pulls. Thornton (1991) takes the contact pressure's part alone.
+/// What friction multiplies beside a normal law that pulls; two rules are Thornton's (1991), for DMT and for JKR.
 enum class AdhesiveFriction {
   none,          ///< max(F, 0): a contact that pulls bears no shear
   thornton_dmt,  ///< F + F_c

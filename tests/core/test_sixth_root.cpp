@@ -8,7 +8,8 @@
 
 namespace contactlaws::test {
 
-TEMPLATE_TEST_CASE("Sixth and third root: 2 and 3 ULP over all normal numbers, the same bits in a pack", "", double, float) {
+TEMPLATE_TEST_CASE("Sixth and third root: 2 and 3 ULP over all normal numbers, the same bits in a pack", "", double,
+                   float) {
   using T = TestType;
   using Limits = std::numeric_limits<T>;
   using Pack = xsimd::batch<T>;
