@@ -64,6 +64,8 @@ int main(int argc, char** argv) {
   add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.0, 0.0, 1e-4});
   add("Hill", granite<Hill<double>>(), {0.05, 0.05, 0.5});
   add("RoughBallast", granite<RoughBallast<double>>());
+  add("Jkr+Dashpots+ShearForce", granite<ContactLaw<Jkr<double>, Dashpots<double>, ShearForce<double>>>());
+  add("CohesivePowder", granite<CohesivePowder<double>>());
   add("Hertz+Dashpots", granite<ContactLaw<Hertz<double>, Dashpots<double>>>());
   add("Hertz+ShearForce", granite<ContactLaw<Hertz<double>, NoDashpots<double>, ShearForce<double>>>());
   add("DryHill/clipped", granite<DryHill<double, Tension::clipped>>());

@@ -11,12 +11,13 @@
 
 namespace bench {
 
-/// Bytes that a batch moves per contact: what the law reads of pair and motion, state in and out, force out.
+/// Bytes that a batch moves per contact: what the law reads of pair and motion, state in and out, force and couple out.
 template <class Law>
 constexpr std::size_t bytes_per_contact() {
   constexpr std::size_t pair = 1 + (decltype(Law::damping)::acts ? 1 : 0) + (decltype(Law::bridge)::acts ? 1 : 0);
   constexpr std::size_t motion = decltype(Law::shear)::acts || decltype(Law::damping)::acts ? 7 : 4;
-  return (pair + motion + 2 * Law::state_size + 3) * sizeof(typename Law::Scalar);
+  constexpr std::size_t couple = decltype(Law::rolling)::acts ? 3 : 0;
+  return (pair + motion + 2 * Law::state_size + 3 + couple) * sizeof(typename Law::Scalar);
 }
 
 template <class Law, class Array = std::vector<typename Law::Scalar>>
@@ -41,6 +42,7 @@ class ContactArrays {
       back_.push_back(column([axis](const Contact& c) { return c.back.normal[axis]; }));
       velocity_.push_back(column([axis](const Contact& c) { return c.there.velocity[axis]; }));
       force_.emplace_back(contacts.size(), T(0));
+      couple_.emplace_back(contacts.size(), T(0));
     }
     for (std::size_t i = 0; i < Law::state_size; ++i)
       state_.push_back(column([i](const Contact& c) {
@@ -65,6 +67,7 @@ class ContactArrays {
       b.normal[axis] = (forwards ? there_ : back_)[axis].data();
       b.velocity[axis] = velocity_[axis].data();
       b.force[axis] = force_[axis].data();
+      b.couple[axis] = couple_[axis].data();
     }
     for (std::size_t i = 0; i < Law::state_size; ++i) b.state[i] = b.next[i] = state_[i].data();
     return b;
@@ -72,7 +75,7 @@ class ContactArrays {
 
  private:
   Array radius_, mass_, smaller_radius_, length_, overlap_;
-  std::vector<Array> there_, back_, velocity_, force_, state_;
+  std::vector<Array> there_, back_, velocity_, force_, couple_, state_;
   T young_, shear_, dt_;
 };
 

@@ -75,9 +75,11 @@ Law granite() {
   if constexpr (std::is_same_v<Normal, LinearModulus<double>>) law.normal.modulus = 29e9;
   if constexpr (std::is_same_v<Normal, LinearSpring<double>>) law.normal.normal_stiffness = 1e7;
   if constexpr (std::is_base_of_v<RoughProfile<double>, Normal>) law.normal = Normal::of({2.13, 26.1e-6});
+  if constexpr (std::is_same_v<Normal, Jkr<double>>) law.normal.work_of_adhesion = 0.1;
   if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = 0.07;
   if constexpr (decltype(Law::shear)::acts) law.shear.friction = 0.4;
   if constexpr (decltype(Law::bridge)::acts) law.bridge.suction = 200e3;
+  if constexpr (decltype(Law::rolling)::acts) law.rolling.rolling_friction = 0.1;
   return checked(law);
 }
 

@@ -116,6 +116,33 @@ using IncrementsPlastic = PohrtPopovIncremental<T, Unloads::plastically>;
 template <class T>
 using IncrementsElastic = PohrtPopovIncremental<T, Unloads::elastically>;
 
+/// A law that pulls, with the rule of friction that the word chooses; the first is the law's own.
+template <template <class, AdhesiveFriction> class Law, AdhesiveFriction own>
+struct AdhesiveLaw {
+  template <class T, class Use>
+  auto operator()(const Given<T>& given, const Use& use) const {
+    const auto with = [&](auto law) { return use(checked(given.chosen.template filled<T>(law))); };
+    const std::string& rule = given.chosen.word("adhesive_friction");
+    if (rule == "none") return with(Law<T, AdhesiveFriction::none>{});
+    if (rule == "thornton_dmt") return with(Law<T, AdhesiveFriction::thornton_dmt>{});
+    if (rule == "thornton_jkr") return with(Law<T, AdhesiveFriction::thornton_jkr>{});
+    return with(Law<T, own>{});
+  }
+};
+template <template <class, AdhesiveFriction> class Law, AdhesiveFriction own>
+Entry<AdhesiveLaw<Law, own>> adhesive_law(const std::string& name, const std::string& doc) {
+  return {{name,
+           doc,
+           {"effective_radius", "effective_young"},
+           number_keys<Law<double, own>>(),
+           {{"adhesive_friction",
+             {"default", "none", "thornton_dmt", "thornton_jkr"},
+             "friction multiplies max(F, 0), F + F_c or F + 2 F_c; default: thornton_" + name}},
+           {},
+           {}},
+          {}};
+}
+
 struct DashpotsLaw {
   template <class T, class Use>
   auto operator()(const Given<T>& given, const Use& use) const;
@@ -186,11 +213,13 @@ inline const auto& normal_laws() {
            Spring::linear},
           {}},
       law<Hertz>("hertz", "F = 4/3 E* sqrt(R*) o^(3/2)", {"effective_radius", "effective_young"}, {}, Spring::hertz),
-      law<Dmt>("dmt", "hertz less the constant pull 2 pi w R* while it touches",
-               {"effective_radius", "effective_young"}),
       law<ThorntonNing>("thornton_ning",
                         "hertz up to the yield pressure, linear beyond; unloading with a flattened radius",
                         {"effective_radius", "effective_young"}),
+      adhesive_law<Dmt, AdhesiveFriction::thornton_dmt>("dmt",
+                                                        "hertz less the constant pull 2 pi w R* while it touches"),
+      adhesive_law<Jkr, AdhesiveFriction::thornton_jkr>(
+          "jkr", "adhesion of soft spheres: touches at o = 0, pulls 3/2 pi w R* at most, lets go beyond touch"),
       rough_law<PohrtPopov>("pohrt_popov", "rough surfaces, elastic"),
       rough_law<RoughFresh, RoughSameSpot>(
           "pohrt_popov_elasto_plastic", "rough surfaces that flatten: unloading along Hertz's curve, in closed form",

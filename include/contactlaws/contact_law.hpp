@@ -214,10 +214,11 @@ struct ContactLaw {
 
     const T separating = dot<T>(kinematics.velocity, kinematics.normal);
     result.normal_elastic = response.force;
-    T load;  // what presses the surfaces together: of an adhesive law, the contact pressure's sum
+    T load;  // what presses the surfaces together: of a law that pulls, with the adhesion that friction counts
     if constexpr (adheres) {
-      load = damping.normal_force(T(response.force + response.adhesion), dashpot.normal, separating);
-      result.normal_force = load - response.adhesion;
+      const T above_pull_off = damping.normal_force(T(response.force + response.pull_off), dashpot.normal, separating);
+      result.normal_force = Damping::acts ? T(above_pull_off - response.pull_off) : response.force;
+      load = above_pull_off + (response.adhesion - response.pull_off);
     } else {
       load = result.normal_force = damping.normal_force(response.force, dashpot.normal, separating);
     }

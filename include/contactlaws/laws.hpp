@@ -14,6 +14,7 @@
 #include "contactlaws/core/validate.hpp"
 #include "contactlaws/normal/dmt.hpp"
 #include "contactlaws/normal/hertz.hpp"
+#include "contactlaws/normal/jkr.hpp"
 #include "contactlaws/normal/linear.hpp"
 #include "contactlaws/normal/pohrt_popov.hpp"
 #include "contactlaws/normal/thornton_ning.hpp"
@@ -49,6 +50,11 @@ using RoughBallast = ContactLaw<PohrtPopovElastoPlastic<T>, NoDashpots<T>, Shear
 /// shear force.
 template <class T>
 using PlasticGrains = ContactLaw<ThorntonNing<T>, NoDashpots<T>, ShearForce<T>>;
+
+/// Cohesive powder: JKR adhesion, dashpots, friction, rolling resistance (Johnson, Kendall & Roberts 1971). State: whether the
+/// contact holds, the shear force and the rolling couple.
+template <class T, Tension tension = Tension::allowed>
+using CohesivePowder = ContactLaw<Jkr<T>, Dashpots<T, tension>, ShearForce<T>, Dry<T>, RollingSpring<T>>;
 
 /// First member of the properties: a list of numbers in braces does not compile, so none can land in the wrong place.
 struct ByName {
@@ -146,6 +152,23 @@ struct PlasticGrainsProperties {
 };
 
 template <class T>
+struct CohesivePowderProperties {
+  ByName by_name = ByName();
+  T work_of_adhesion = T(0);  ///< w [J/m^2], twice the surface energy of one material
+  T friction = T(0);          ///< mu [1]
+  T rolling_friction = T(0);  ///< mu_r [1]
+  T damping_constant = T(0);  ///< alpha [1]
+
+  static constexpr const char* name = "CohesivePowderProperties";
+  static constexpr std::array<Parameter<CohesivePowderProperties, T>, 4> parameters() {
+    return {{{"work_of_adhesion", "J/m^2", &CohesivePowderProperties::work_of_adhesion, Range::any()},
+             {"friction", "1", &CohesivePowderProperties::friction, Range::any()},
+             {"rolling_friction", "1", &CohesivePowderProperties::rolling_friction, Range::any()},
+             {"damping_constant", "1", &CohesivePowderProperties::damping_constant, Range::any()}}};
+  }
+};
+
+template <class T>
 SmoothHertz<T> smooth_hertz() {
   return {};
 }
@@ -200,6 +223,16 @@ PlasticGrains<T> plastic_grains(const PlasticGrainsProperties<T>& properties) {
   PlasticGrains<T> law;
   law.normal.yield_pressure = properties.yield_pressure;
   law.shear.friction = properties.friction;
+  return checked(law);
+}
+
+template <Tension tension = Tension::allowed, class T>
+CohesivePowder<T, tension> cohesive_powder(const CohesivePowderProperties<T>& properties) {
+  CohesivePowder<T, tension> law;
+  law.normal.work_of_adhesion = properties.work_of_adhesion;
+  law.damping.damping_constant = properties.damping_constant;
+  law.shear.friction = properties.friction;
+  law.rolling.rolling_friction = properties.rolling_friction;
   return checked(law);
 }
 

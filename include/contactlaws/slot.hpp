@@ -54,8 +54,8 @@ struct RollingSlot {};
 
 template <class T>
 struct NormalResponse {
-  T force;        ///< elastic or elastic-plastic force, compression > 0 [N]
-  T stiffness;    ///< tangent dF/do of the active branch [N/m]
+  T force;      ///< elastic or elastic-plastic force, compression > 0 [N]
+  T stiffness;  ///< tangent dF/do of the active branch; positive, since shear and rolling scale with it (Jkr: 2 E* a) [N/m]
   T secant;       ///< force over elastic indentation: what dashpots scale with [N/m]
   T max_tangent;  ///< tangent of the stiffest branch that the next motion may follow, for the time step [N/m]
 };
@@ -69,8 +69,20 @@ struct HertzResponse : NormalResponse<T> {
 /// Of normal laws that pull: `force` includes the pull.
 template <class T>
 struct AdhesiveResponse : HertzResponse<T> {
-  T adhesion;  ///< friction acts on force + adhesion; a clipped dashpot does not pull beyond it [N]
+  T pull_off;  ///< F_c, the largest pull: a clipped dashpot does not pull beyond it [N]
+  T adhesion;  ///< friction acts on force + adhesion [N]
 };
+
+/// What friction multiplies beside a normal law that pulls; two rules are Thornton's (1991), for DMT and for JKR.
+enum class AdhesiveFriction {
+  none,          ///< max(F, 0): a contact that pulls bears no shear
+  thornton_dmt,  ///< F + F_c
+  thornton_jkr   ///< F + 2 F_c
+};
+template <AdhesiveFriction rule, class T>
+CONTACTLAWS_HD T counted_adhesion(const T& pull_off) noexcept {
+  return T(rule == AdhesiveFriction::none ? 0 : rule == AdhesiveFriction::thornton_dmt ? 1 : 2) * pull_off;
+}
 
 template <class T>
 struct DampingCoefficients {
@@ -106,7 +118,7 @@ template <class T>
 struct RollingInput {
   const PairProperties<T>& pair;
   const ContactKinematics<T>& kinematics;
-  T normal_stiffness;  ///< tangent of the normal law [N/m]
+  T normal_stiffness;  ///< stiffness of the normal law [N/m]
   T load;              ///< as ShearInput::friction_load [N]
 };
 

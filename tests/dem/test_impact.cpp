@@ -124,6 +124,37 @@ void check_restitution() {
 TEST_CASE("T1: restitution as asked, tension allowed") { check_restitution<Tension::allowed>(); }
 TEST_CASE("T1: restitution as asked, tension clipped") { check_restitution<Tension::clipped>(); }
 
+TEST_CASE("J1: two JKR grains stick below the sticking speed, and part above it less the work of separation") {
+  // v_s^2 = 2 U / m*, U = 7.0918 (w^5 R*^4 / E*^2)^(1/3) (Thornton & Ning 1998, with 7.09).
+  const ElasticMaterial<double> soft{2e6, 0.30, 1000.0};
+  const double radius = 1e-3, work_of_adhesion = 0.05;
+  const auto pair = pair_properties(sphere(soft, radius), sphere(soft, radius));
+  ContactLaw<Jkr<double>> law;
+  law.normal.work_of_adhesion = work_of_adhesion;
+  const double separation = 7.0918 * std::cbrt(std::pow(work_of_adhesion, 5.0) * std::pow(pair.effective_radius, 4.0) /
+                                               (pair.effective_young * pair.effective_young));
+  const double sticking = std::sqrt(2 * separation / pair.effective_mass);
+  const double stiffness = 2 * pair.effective_young * law.normal.pull_off_radius(pair);
+  /// The relative speed with which two balls part, 0 if they do not within many periods.
+  const auto parting = [&](double speed) {
+    dem::Simulation<ContactLaw<Jkr<double>>> scene(law);
+    scene.log = nullptr;
+    scene.add(Ball{sphere(soft, radius), {-radius, 0.0, 0.0}, {speed / 2, 0.0, 0.0}});
+    scene.add(Ball{sphere(soft, radius), {radius, 0.0, 0.0}, {-speed / 2, 0.0, 0.0}});
+    scene.time_step = 2e-3 * std::sqrt(pair.effective_mass / stiffness);
+    const double gone = 2 * radius + 1.01 * law.interaction_range(pair);
+    for (int i = 0; i < 30000; ++i) {
+      scene.step();
+      if (scene.balls.position[1].x() - scene.balls.position[0].x() > gone)
+        return scene.balls.velocity[1].x() - scene.balls.velocity[0].x();
+    }
+    return 0.0;
+  };
+  CHECK(parting(0.97 * sticking) == 0.0);
+  CHECK(parting(1.03 * sticking) == Approx(std::sqrt(1.03 * 1.03 - 1) * sticking).epsilon(0.03));
+  CHECK(parting(3 * sticking) == Approx(std::sqrt(8.0) * sticking).epsilon(1e-3));
+}
+
 TEST_CASE("S1: gross sliding on a wall loses mu (1 + e) v_n of tangential velocity, and never gains energy") {
   const ElasticMaterial<double> material{70e9, 0.33, 2700.0};
   const double radius = 2.5e-3, speed = 3.9;

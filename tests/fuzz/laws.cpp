@@ -32,11 +32,12 @@ void expect_physics(const Law& law, const Instant& now) {
   const auto& step = now.step;
   expect(step.force.allFinite() && step.couple.allFinite(), "a finite force and couple");
   for (const double value : step.state) expect(std::isfinite(value), "a finite state");
-  const double adhesion = now.kinematics.overlap > 0.0 ? law.adhesion(now.pair, now.kinematics.overlap) : 0.0;
+  const bool holds = now.kinematics.overlap > 0.0 || step.normal_elastic != 0.0;
+  const double adhesion = holds ? law.adhesion(now.pair, now.pair.effective_radius / 1000) : 0.0;
   expect(step.normal_elastic >= -adhesion && std::isfinite(step.normal_elastic), "springs push, finitely");
   expect(step.bridge_force >= 0.0 && std::isfinite(step.bridge_force), "bridges pull, finitely");
   expect(law.pulls || step.normal_force >= -adhesion, "no tension unless allowed");
-  if (!(now.kinematics.overlap > 0.0))
+  if (!holds)
     expect(test::wrong_when_open(law, now.pair, now.kinematics, step) == 0, "an open contact exerts its bridge's pull");
   const double strength = law.friction().largest * positive_part(step.normal_force + adhesion);
   if (strength > 0.0 && strength < smallest_strength) return;

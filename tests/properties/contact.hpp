@@ -45,6 +45,7 @@ int wrong_when_opened(const ErasedLaw<T>& law, const Instant<T>& now) {
   ContactKinematics<T> open = now.kinematics;
   for (const T& gap : {T(0), T(range / T(2)), range, T(range * T(2) + now.pair.effective_radius)}) {
     open.overlap = -gap;
+    if (gap < range && law.touches(now.pair, open.overlap, now.state)) continue;  // adhesion holds it
     const auto step = law.step(now.pair, open, now.state);
     wrong += wrong_when_open(law, now.pair, open, step);
     wrong += step.active && gap > T(0) && !(step.bridge_force > T(0));
@@ -91,8 +92,8 @@ template <class T>
 double friction_error(const ErasedLaw<T>& law, const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
                       const Step<T, typename ErasedLaw<T>::State>& step) {
   T load = T(0), adhesion = T(0);
-  if (kinematics.overlap > T(0)) {
-    adhesion = law.adhesion(pair, kinematics.overlap);
+  if (step.normal_elastic != T(0) || kinematics.overlap > T(0)) {
+    adhesion = law.adhesion(pair, pair.effective_radius / T(1000));  // any overlap
     load = positive_part<T>(step.normal_force + adhesion);
   }
   const bool at_limit = step.sliding && !law.damps;

@@ -99,6 +99,8 @@ class ErasedLaw {
   virtual Dissipation<T> dissipation(const PairProperties<T>&, const State& before, const Step<T, State>&) const = 0;
   virtual T interaction_range(const PairProperties<T>&) const = 0;
   virtual Friction<T> friction() const = 0;
+  /// Whether the normal law holds the contact, at an overlap or beyond touch.
+  virtual bool touches(const PairProperties<T>&, const T& overlap, const State&) const = 0;
   /// What friction multiplies beside the normal force [N].
   virtual T adhesion(const PairProperties<T>&, const T& overlap) const = 0;
   /// The steps of a path with the law's own state kept from step to step, as a host in C++ keeps it.
@@ -183,7 +185,8 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
     T shear = T(0);
     if constexpr (has_shear<Law>) shear = law_.shear.stiffness(pair, normal);
     const T dashpot = law_.damping.coefficients(pair.effective_mass, normal.secant, shear).shear;
-    return {normal.stiffness, normal.max_tangent * law_.damping.stiffness_factor(), shear + dashpot};
+    return {tangent(law_.normal, pair, overlap, normal.stiffness), normal.max_tangent * law_.damping.stiffness_factor(),
+            shear + dashpot};
   }
   T interaction_range(const PairProperties<T>& pair) const override { return law_.interaction_range(pair); }
   Friction<T> friction() const override {
@@ -195,6 +198,13 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
         result = {result.sliding, maximum<T>(value, result.sliding), minimum<T>(value, result.sliding)};
     }
     return result;
+  }
+  bool touches(const PairProperties<T>& pair, const T& overlap, const State& state) const override {
+    if constexpr (Law::adheres) {
+      return any<T>(law_.normal.touches(Law::load(state.data()), pair, overlap));
+    } else {
+      return any<T>(overlap > T(0));
+    }
   }
   T adhesion(const PairProperties<T>& pair, const T& overlap) const override {
     if constexpr (Law::adheres) {
@@ -217,6 +227,16 @@ class Erased final : public ErasedLaw<typename Law::Scalar> {
   }
 
  private:
+  /// Of a law whose tangent may be negative it is a function of its own.
+  template <class Normal>
+  static auto tangent(const Normal& normal, const PairProperties<T>& pair, const T& overlap, const T&)
+      -> decltype(normal.tangent({}, pair, overlap)) {
+    return normal.tangent({}, pair, overlap);
+  }
+  template <class Normal, class... Other>
+  static T tangent(const Normal&, const PairProperties<T>&, const T&, const T& stiffness, const Other&...) {
+    return stiffness;
+  }
   static State erased(const typename Law::State& own) {
     State state;
     state.fill(T(0));

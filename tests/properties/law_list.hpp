@@ -58,6 +58,7 @@ void visit_each_slot(const Visit& visit) {
                 ShearForceRescaled<T, ElasticRatio<T>>{s.elastic_ratio, 0.5}, s.dry));
   visit("Dmt", 3, compose(Dmt<T>{0.05}, s.two_constants, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("ThorntonNing", 4, compose(ThorntonNing<T>{3e8}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry));
+  visit("CohesivePowder", 7, compose(Jkr<T>{0.5}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit("Hertz rolling", 6, compose(s.hertz, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit(
       "Static and kinetic friction", 5,
@@ -82,6 +83,7 @@ void visit_laws(const Visit& visit) {
   visit("Hill", 4, hill<T>(0.4, 2e5, 0.07));
   visit("LinearSpringDashpot clipped", 3,
         compose(s.spring, s.clipped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.4}, s.dry));
+  visit("Jkr wet", 2, compose(Jkr<T>{0.5}, s.undamped, s.smooth, s.wet));
   visit("Hertz damped", 0, compose(s.hertz, s.damped, s.smooth, s.dry));
   visit("Hertz wet", 1, compose(s.hertz, s.undamped, s.smooth, s.wet));
   visit("Linear damped wet", 1, compose(s.modulus, s.clipped, s.smooth, s.wet));

@@ -135,6 +135,18 @@ TEST_CASE("the options of a law file choose the types of the library") {
     damping = { law = "dashpots", damping_constant = 0.3 }
     shear = { law = "displacement", friction = 0.5, rotation = "project" }
   )");
+
+  CohesivePowderProperties<double> powder;
+  powder.work_of_adhesion = 50.0;
+  powder.friction = 0.4;
+  powder.rolling_friction = 0.2;
+  powder.damping_constant = 0.3;
+  same_bits_as(cohesive_powder(powder), R"(
+    normal = { law = "jkr", work_of_adhesion = 50 }
+    damping = { law = "dashpots", damping_constant = 0.3 }
+    shear = { law = "force", friction = 0.4 }
+    rolling = { law = "spring", rolling_friction = 0.2 }
+  )");
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 //   F = 0                                                                                       o <= 0
 //
 // w [J/m^2] is the work of adhesion of the pair, twice the surface energy of one material. The pull-off force is F_c, at
-// touch; the force jumps there, and there is no hysteresis. Friction acts on F + F_c (Thornton's rule for DMT).
+// touch; the force jumps there, and there is no hysteresis. Friction acts on F + F_c (Thornton 1991; other rules:
+// AdhesiveFriction). Dashpots scale with Hertz's secant, which is finite at touch: (F + F_c)/o, not F/o.
 //
 // Derjaguin, Muller & Toporov (1975); for the choice between DMT and JKR: Tabor's parameter
 // (R* w^2 / (E*^2 z0^3))^(1/3) << 1, z0 the interatomic distance.
@@ -18,12 +19,12 @@
 
 namespace contactlaws {
 
-template <class T>
+template <class T, AdhesiveFriction rule = AdhesiveFriction::thornton_dmt>
 struct Dmt {
   using Slot = NormalSlot<T>;
   using Scalar = T;
   template <class U>
-  using Rebind = Dmt<U>;
+  using Rebind = Dmt<U, rule>;
   static constexpr bool adheres = true;
 
   T work_of_adhesion = T(0);  ///< w [J/m^2]
@@ -46,8 +47,10 @@ struct Dmt {
   CONTACTLAWS_HD T range(const PairProperties<T>&) const noexcept { return T(0); }
 
   CONTACTLAWS_HD AdhesiveResponse<T> respond(State&, const PairProperties<T>& pair, const T& overlap) const noexcept {
-    AdhesiveResponse<T> response{hertz_response<T>(pair, positive_part<T>(overlap)), pull_off_force(pair)};
-    response.force = response.force - response.adhesion;
+    const T pull_off = pull_off_force(pair);
+    AdhesiveResponse<T> response{hertz_response<T>(pair, positive_part<T>(overlap)), pull_off,
+                                 counted_adhesion<rule>(pull_off)};
+    response.force = response.force - pull_off;
     return response;
   }
 

@@ -6,6 +6,7 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include "contactlaws/core/scalar.hpp"
+#include "contactlaws/core/sixth_root.hpp"
 
 namespace Eigen {
 /// base^exponent, both of them with derivatives (Eigen offers a constant exponent alone).
@@ -29,5 +30,21 @@ struct ScalarTraits<Eigen::AutoDiffScalar<Derivatives>> {
 
   static Number select(bool condition, const Number& yes, const Number& no) noexcept { return condition ? yes : no; }
   static bool any(bool condition) noexcept { return condition; }
+};
+
+template <class Derivatives>
+struct SixthRootOf<Eigen::AutoDiffScalar<Derivatives>> {
+  using Number = Eigen::AutoDiffScalar<Derivatives>;
+  using Value = typename Derivatives::Scalar;
+
+  /// At 0 the derivatives of the roots are infinite; a constant 0 has none.
+  static SixthRoot<Number> of(const Number& x) noexcept {
+    const SixthRoot<Value> root = sixth_root<Value>(x.value());
+    const auto with = [&x](const Value& value, const Value& exponent) {
+      const Derivatives slopes = x.derivatives() * (exponent * value / x.value());
+      return Number(value, (x.derivatives().array() == Value(0)).select(Value(0), slopes));
+    };
+    return {with(root.sixth, Value(1) / Value(6)), with(root.third, Value(1) / Value(3))};
+  }
 };
 }  // namespace contactlaws

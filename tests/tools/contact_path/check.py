@@ -218,6 +218,18 @@ class Numbers(InTemporaryDirectory):
         smooth, adhesive = (self.drive(text, HEADER + STEP)[0] for text in (HERTZ + PAIR, law))
         self.assert_close(float(smooth["fn_total"]) - float(adhesive["fn_total"]), 2 * math.pi * 10 * 3e-3, 1e-12)
 
+    def test_adhesion_beyond_touch(self):
+        """JKR: -8/9 F_c at touch, which holds until -3/4 (pi^2 w^2 R*/E*^2)^(1/3); friction by each rule."""
+        pull_off = 1.5 * math.pi * 10 * 3e-3
+        law = '[normal]\nlaw = "jkr"\nwork_of_adhesion = 10\n{}' + FORCE + PAIR
+        path = HEADER + "1e-6,-1e-12,0,0,1,0,0,0\n1e-6,1e-18,0,0,1,1e3,0,0\n1e-6,-1e-9,0,0,1,0,0,0\n1e-6,-1,0,0,1,0,0,0\n"
+        for rule, counted in (("", 2), ("none", 0), ("thornton_dmt", 1)):
+            rows = self.drive(law.format(f'adhesive_friction = "{rule}"\n' if rule else ""), path)
+            self.assertEqual([float(rows[i]["fn_total"]) for i in (0, 3)], [0, 0])
+            self.assert_close(rows[1]["fn_total"], -8 / 9 * pull_off, 1e-6)
+            self.assertLess(float(rows[2]["fn_total"]), -pull_off / 2)
+            self.assert_close(-float(rows[1]["fx"]), 0.4 * max(counted - 8 / 9, 0) * pull_off, 1e-6)
+
     def test_restitution_is_the_damping_constant_that_it_names(self):
         # alpha = -sqrt(5) ln e / sqrt(ln^2 e + pi^2), and 2 z for a linear spring
         ratio = -math.log(0.7) / math.sqrt(math.log(0.7) ** 2 + math.pi**2)
@@ -268,7 +280,7 @@ class Numbers(InTemporaryDirectory):
     def test_all_compositions_run_in_all_precisions(self):
         rough = 'law = "pohrt_popov{}"\nfractal_dimension = 2.13\nroughness = 26.1e-6\n'
         normals = ['law = "linear"\nstiffness = 1e7\n', 'law = "linear"\nmodulus = 1e9\n', 'law = "hertz"\n']
-        normals += [rough.format(""), 'law = "dmt"\nwork_of_adhesion = 10\n']
+        normals += [rough.format(""), 'law = "dmt"\nwork_of_adhesion = 10\n', 'law = "jkr"\nwork_of_adhesion = 10\n']
         normals += [
             rough.format("_elasto_plastic") + f'recontact = "{recontact}"\n'
             for recontact in ("same_spot", "fresh_surface")
@@ -463,7 +475,7 @@ class Faults(InTemporaryDirectory):
         self.refuse_law(HERTZ + FORCE.replace("0.4", "-0.5") + PAIR, "law.toml:4:12: [shear] friction is -0.5", "[0, inf)")
         self.refuse_law(HERTZ + FORCE.replace("friction =", "friction_angle =") + PAIR, "'friction_angle'", "tangent of the angle")
         self.refuse_law(linear + "stiffness = 1\n" + FORCE + 'stiffness = "mindlin"\n', "[shear] stiffness", "no contact radius")
-        self.refuse_law('normal = "jkr"\n' + PAIR, 'law.toml:1:10: [normal] law is "jkr"', "linear, hertz, dmt")
+        self.refuse_law('normal = "jrk"\n' + PAIR, 'law.toml:1:10: [normal] law is "jrk"', "linear, hertz, dmt, jkr")
         self.refuse_law(HERTZ + '[rolling]\nlaw = "spring"\n' + PAIR, "[rolling] rolling_friction is missing")
         self.refuse_law(HERTZ + FORCE.replace("0.4", "nan") + PAIR, "law.toml:4:12: [shear] friction is 'nan'", "[0, inf)")
         self.refuse_law(HERTZ + FORCE.replace("0.4", "inf") + PAIR, "law.toml:4:12: [shear] friction is 'inf'", "[0, inf)")
