@@ -114,6 +114,9 @@ int main(int argc, char** argv) {
   add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.05, 1.0, 1e-4});
   add("Hill", granite<Hill<double>>(), mix);
   add("Hill/resting", granite<Hill<double>>(), resting);
+  add("WetGrains", granite<WetGrains<double>>(), mix);
+  add("WetGrains/willett", granite<WetGrains<double, WillettClosed>>(), mix);
+  add("WetGrains/rabinovich", granite<WetGrains<double, Rabinovich>>(), mix);
   add("RoughBallast", granite<RoughBallast<double>>(), mix);
   add("RoughBallast/resting", granite<RoughBallast<double>>(), resting);
   benchmark::RegisterBenchmark(CONTACTLAWS_BENCH_ARCH "/triad", triad);

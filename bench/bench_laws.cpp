@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   add("DryHill", granite<DryHill<double>>());
   add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.0, 0.0, 1e-4});
   add("Hill", granite<Hill<double>>(), {0.05, 0.05, 0.5});
+  add("WetGrains", granite<WetGrains<double>>(), {0.05, 0.05, 1.0});
   add("RoughBallast", granite<RoughBallast<double>>());
   add("Hertz+Dashpots", granite<ContactLaw<Hertz<double>, Dashpots<double>>>());
   add("Hertz+ShearForce", granite<ContactLaw<Hertz<double>, NoDashpots<double>, ShearForce<double>>>());

@@ -61,10 +61,19 @@ inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}
 /// The state that a contact of the mix starts from.
 template <class Law>
 typename Law::State first_state(const Contact& contact) {
+  using T = typename Law::Scalar;
   typename Law::State state{};
   if constexpr (decltype(Law::bridge)::acts)
-    if (contact.wet) state.moisture = 2;
+    if (contact.wet) Law::make_wet(state, T(1), T(0));
   return state;
+}
+
+/// A bridge of 200 kPa, or of water: V/R^3 from 1e-4 to 1e-2, and rupture beyond every gap of the mix.
+inline void for_bridge(Dry<double>&) {}
+inline void for_bridge(SuctionBridge<double>& bridge) { bridge.suction = 200e3; }
+template <template <class> class ForceRule, Wets wets>
+void for_bridge(CapillaryBridge<double, ForceRule, wets>& bridge) {
+  bridge = CapillaryBridge<double, ForceRule, wets>::of(0.072, 0.35, 1e-10);
 }
 
 /// Any composition, with the memo's granite for its parameters (and the paper's ballast where it is rough).
@@ -77,7 +86,7 @@ Law granite() {
   if constexpr (std::is_base_of_v<RoughProfile<double>, Normal>) law.normal = Normal::of({2.13, 26.1e-6});
   if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = 0.07;
   if constexpr (decltype(Law::shear)::acts) law.shear.friction = 0.4;
-  if constexpr (decltype(Law::bridge)::acts) law.bridge.suction = 200e3;
+  for_bridge(law.bridge);
   return checked(law);
 }
 

@@ -17,6 +17,7 @@ build/examples/bin/drop build/results/drop
 wrong=0
 build/examples/bin/memo build/results || wrong=$?
 build/examples/bin/contact_curves build/results || wrong=$?
+build/examples/bin/bridge_curves build/results
 
 # The first Python that has matplotlib: Debian's package serves /usr/bin/python3, which need not be the first on the path.
 for python in python3 /usr/bin/python3; do
@@ -24,6 +25,7 @@ for python in python3 /usr/bin/python3; do
 done
 "$python" examples/memo/figures.py build/results
 "$python" examples/ballast/figures.py build/results
+"$python" examples/capillary/figures.py build/results
 
 example=examples/contact_path
 mkdir -p build/results/contact_path

@@ -40,6 +40,9 @@ double largest_pull(const reference::Bridge& of) {
   return most;
 }
 
+/// The reference has gaps of 0.999 of the rupture gap, and that itself.
+enum class Gaps { below_rupture, at_rupture };
+
 struct Errors {
   double low = 0.0, high = 0.0;  ///< of the force, in the largest force of the bridge
 
@@ -48,12 +51,12 @@ struct Errors {
     high = std::max(high, error);
   }
 };
-/// Of a rule's force at gaps below the exact rupture, up to a contact angle [rad].
+/// Of a rule's force, up to a contact angle [rad].
 template <class Rule>
-Errors errors_of(double widest) {
+Errors errors_of(double widest, Gaps gaps = Gaps::below_rupture) {
   Errors errors;
   for (const reference::Bridge& b : reference::bridges) {
-    if (b.angle > widest) continue;
+    if (b.angle > widest || (b.gap > 0.9995 * b.rupture_gap) != (gaps == Gaps::at_rupture)) continue;
     Rule rule;
     rule.prepare(b.angle);
     const double found = two_pi * rule.force(std::pow(b.volume, 1.0 / 6.0), b.gap);
@@ -64,11 +67,15 @@ Errors errors_of(double widest) {
 
 }  // namespace
 
-TEST_CASE("Capillary bridge: the exact force within 0.05 % of the largest, over the domain and up to rupture") {
+TEST_CASE("Capillary bridge: the exact force within 0.05 % of the largest, over the domain, and 0.1 % at rupture") {
   const Errors errors = errors_of<YoungLaplace<double>>(2.0);
   CHECK(errors.low >= -5e-4);
   CHECK(errors.high <= 5e-4);
   CHECK(errors.high - errors.low >= 1e-4);  // the reference is not the code under test
+  // There an error of the rupture gap of 5e-6 counts by its root.
+  const Errors last = errors_of<YoungLaplace<double>>(2.0, Gaps::at_rupture);
+  CHECK(last.low >= -1e-3);
+  CHECK(last.high <= 1e-3);
 }
 
 TEST_CASE("Capillary bridge: the exact rupture gap, beyond which the equation has no solution") {
@@ -91,7 +98,7 @@ TEST_CASE("Capillary bridge: the energy is the surface energy that pulling it to
     const double at_touch = energy(Exact::of(1.0, b.angle, b.volume), 0.0);
     worst = std::max(worst, std::abs((energy(Exact::of(1.0, b.angle, b.volume), b.gap) - b.energy) / at_touch));
   }
-  CHECK(worst <= 1e-3);
+  CHECK(worst <= 1.2e-3);
   CHECK(worst > 1e-7);
 }
 
@@ -146,9 +153,9 @@ TEST_CASE("Capillary bridge: the errors of the closed forms that their header st
     CHECK(errors.high >= high - 0.02);
   };
   within(errors_of<WillettClosed<double>>(all), -0.34, 0.94);
-  within(errors_of<WillettClosed<double>>(twenty), -0.08, 0.29);
+  within(errors_of<WillettClosed<double>>(twenty), -0.09, 0.31);
   within(errors_of<Rabinovich<double>>(all), -0.35, 0.94);
-  within(errors_of<Rabinovich<double>>(twenty), -0.09, 0.29);
+  within(errors_of<Rabinovich<double>>(twenty), -0.10, 0.31);
 }
 
 TEST_CASE("Capillary bridge: a small bridge pulls with 2 pi R gamma cos(theta), and all of them alike while touching") {
@@ -294,7 +301,7 @@ TEMPLATE_TEST_CASE("Capillary bridge: rounding", "", double, float) {
     const Binary200 error = abs(Binary200(computed) - exact) / at_touch / std::numeric_limits<T>::epsilon();
     force.see(static_cast<double>(error), angle, volume, gap);
   }
-  CHECK(force.error() <= 30.0);  // what the header promises
+  CHECK(force.error() <= 10.0);  // what the header promises
 }
 
 TEST_CASE("Wet grains: a law by its properties, which form a bridge at touch") {
@@ -311,7 +318,8 @@ TEST_CASE("Wet grains: a law by its properties, which form a bridge at touch") {
   };
   CHECK_FALSE(at(-range / 2, {}).active);
   const auto touching = at(0.0, {});
-  CHECK(touching.bridge_force == Approx(two_pi * 6e-3 * 0.072 * std::cos(0.3)).epsilon(0.06));  // R = 2 R* = 6 mm
+  // R = 2 R* = 6 mm; V/R^3 = 0.005, at which the exact force is a tenth below that of a small bridge.
+  CHECK(touching.bridge_force == Approx(two_pi * 6e-3 * 0.072 * std::cos(0.3) * 0.9).epsilon(0.01));
   CHECK(touching.force.z() == -touching.bridge_force);  // towards body 1
   CHECK(touching.state.bridge_volume == 1e-9);
   const auto apart = at(-range / 2, touching.state);
@@ -321,8 +329,8 @@ TEST_CASE("Wet grains: a law by its properties, which form a bridge at touch") {
   CHECK_FALSE(after.active);
   CHECK(after.state.returned_volume == 0.0);  // taken at touch, and given back
   properties.contact_angle = 1.2;
-  CHECK_THROWS_WITH(wet_grains(properties), Catch::Matchers::Equals(
-                                                "CapillaryBridge: contact_angle is 1.2 rad, must lie in [0, 1.0472]"));
+  CHECK_THROWS_WITH(wet_grains(properties),
+                    Catch::Matchers::Equals("CapillaryBridge: contact_angle is 1.2 rad, must lie in [0, 1.0472]"));
 }
 
 }  // namespace contactlaws::test

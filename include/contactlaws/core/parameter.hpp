@@ -78,7 +78,8 @@ namespace detail {
 template <class Slot, class U, class = void>
 inline constexpr bool prepares = false;
 template <class Slot, class U>
-inline constexpr bool prepares<Slot, U, std::void_t<decltype(std::declval<Slot&>().prepare()), decltype(U(0) * U(0))>> = true;
+inline constexpr bool prepares<Slot, U, std::void_t<decltype(std::declval<Slot&>().prepare()), decltype(U(0) * U(0))>> =
+    true;
 }  // namespace detail
 
 /// The same slot of a law on another scalar, each parameter converted by `convert`. A slot that derives numbers from its
