@@ -21,12 +21,15 @@ struct At {
   double angle, volume, gap;
 };
 
+/// The gap of x = 1.
+double scale(double volume) { return std::sqrt(2.0 * volume / pi<double>()); }
+
 /// The force of one rule, at gaps beyond its own rupture gap too.
 template <class Rule>
 double force(const At& at) {
   Rule rule;
   rule.prepare(at.angle);
-  return rule.force(std::pow(at.volume, 1.0 / 6.0), at.gap);
+  return rule.force(std::pow(at.volume, 1.0 / 6.0), at.gap / scale(at.volume));
 }
 
 int run(const std::string& directory) {
@@ -36,7 +39,7 @@ int run(const std::string& directory) {
       const double angle = degrees * pi<double>() / 180.0, volume = std::pow(10.0, -5.0 + k / 4.0);
       YoungLaplace<double> exact;
       exact.prepare(angle);
-      const double rupture = exact.rupture_gap(std::pow(volume, 1.0 / 6.0));
+      const double rupture = scale(volume) * exact.rupture(std::pow(volume, 1.0 / 6.0));
       const int pieces = 80;
       for (int i = 0; i <= pieces; ++i) {
         const double x = static_cast<double>(i) / pieces;  // dense at touch, and at rupture: a square root there

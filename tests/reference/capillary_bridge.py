@@ -22,7 +22,7 @@ from young_laplace import Bridges, force, newton, residuals, surface_energy
 
 LOWEST, HIGHEST, WIDEST = 1e-5, 1e-1, np.pi / 3  # V/R^3, V/R^3, contact angle
 Q_LOW, Q_HIGH = LOWEST ** (1 / 6), HIGHEST ** (1 / 6)
-FORCE_DEGREES = 4, 9, 4  # in q, y, angle
+FORCE_DEGREES = 3, 9, 4  # in q, y, angle
 RUPTURE_DEGREES = 5, 10  # in q, angle
 BEND = 0.1  # the rupture gap turns from flat to straight near this angle
 

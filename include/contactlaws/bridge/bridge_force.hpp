@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The force of a liquid bridge of volume V between two spheres of radius R, contact angle theta, gap h, as three rules. Each
-// takes q = (V/R^3)^(1/6) and h/R, and returns F/(2 pi R gamma), the rupture gap over R, and -energy/(2 pi R^2 gamma), the
-// integral of the force from h to rupture. None counts gravity or the pinning of the contact line.
+// takes q = (V/R^3)^(1/6) and x = h / sqrt(2 V/(pi R)), and returns F/(2 pi R gamma), the x of rupture, and the integral of
+// the force over x up to there. None counts gravity or the pinning of the contact line.
 //
 //   YoungLaplace    the exact axisymmetric bridge on its stable branch, as polynomials:
-//                   F = (1 - x/sqrt(x^2 + 1)) P(q, y, theta),   x = h / sqrt(2 V/(pi R)),   e = sqrt(x^2 + 1) - x
-//                   y = sqrt(e - e_r);  rupture at e_r = q E(q, theta), the largest gap at which the equation has a solution
+//                   F = (1 - x/sqrt(x^2 + 1)) P(q, y, theta),   y = sqrt(e - e_r),   e = sqrt(x^2 + 1) - x
+//                   rupture at e_r = q E(q, theta), the largest gap at which the equation has a solution
 //   WillettClosed   F = cos(theta) / (1 + 1.05 s + 2.5 s^2),    s = h sqrt(R/V)        Willett et al. (2000) Eq. 12
 //   Rabinovich      F = cos(theta) (1 - x/sqrt(x^2 + 1))                               Rabinovich et al. (2005) Eqs 19, 20
 //
@@ -15,7 +15,7 @@
 // Domain: V/R^3 from 1e-5 to 0.1, theta from 0 to 60 degrees. Beyond, YoungLaplace keeps P and E of the nearest volume, so that
 // force and rupture gap scale as those of small volumes do (at touch then 2 to 5 % low); V > R^3 counts as R^3.
 // Error in the largest force of the bridge, over the domain up to the exact rupture (tests/laws/test_capillary_bridge.cpp):
-//   YoungLaplace 0.05 %, 0.1 % at rupture itself (rupture gap 5e-6, energy 0.12 %);  WillettClosed -34 to +93 %, to 20 degrees -9 to +31 %;
+//   YoungLaplace 0.06 %, 0.1 % at rupture itself (rupture gap 5e-6, energy 0.2 %);  WillettClosed -34 to +93 %, to 20 degrees -9 to +31 %;
 //   Rabinovich -35 to +93 %, to 20 degrees -10 to +31 %; Lian's rupture gap -14 to +8 %.
 #pragma once
 
@@ -31,27 +31,30 @@ namespace contactlaws {
 
 namespace detail {
 
-/// How far a bridge is open: functions of x = h / sqrt(2 V/(pi R)).
+/// sqrt(2/pi), what x is scaled by.
+template <class T>
+CONTACTLAWS_HD T bridge_scale() noexcept {
+  return scalar_cast<T>(0.79788456080286535588);
+}
+
+/// How far a bridge is open.
 template <class T>
 struct BridgeOpening {
   T e;      ///< sqrt(x^2 + 1) - x
   T limit;  ///< 1 - x/sqrt(x^2 + 1), the force of a small bridge
 
-  CONTACTLAWS_HD static BridgeOpening of(const T& q, const T& gap) noexcept {
+  CONTACTLAWS_HD static BridgeOpening of(const T& x) noexcept {
     using std::sqrt;
-    const T x = gap / length(q);
     const T root = sqrt(T(x * x + T(1)));
     const T limit = T(1) / T(root * T(root + x));
     return {root * limit, limit};
   }
-  /// sqrt(2 V/(pi R)), in R.
-  CONTACTLAWS_HD static T length(const T& q) noexcept { return scalar_cast<T>(0.79788456080286535588) * T(q * q) * q; }
 };
 
-/// Rupture gap (1 + theta/2) V^(1/3), in R.
+/// x at the rupture gap (1 + theta/2) V^(1/3).
 template <class T>
-CONTACTLAWS_HD T rupture_gap_of_lian(const T& angle, const T& q) noexcept {
-  return T(T(1) + angle / T(2)) * T(q * q);
+CONTACTLAWS_HD T rupture_of_lian(const T& angle, const T& q) noexcept {
+  return T(T(1) + angle / T(2)) / T(bridge_scale<T>() * q);
 }
 
 }  // namespace detail
@@ -65,16 +68,16 @@ struct YoungLaplace {
 
   CONTACTLAWS_HD void prepare(const T& angle) noexcept { polynomials_.prepare(angle); }
 
-  CONTACTLAWS_HD T rupture_gap(const T& q) const noexcept {
+  CONTACTLAWS_HD T rupture(const T& q) const noexcept {
     const T e = least_e(q);
-    return detail::BridgeOpening<T>::length(q) * T(T(1) / e - e) / T(2);
+    return T(T(1) / e - e) / T(2);
   }
-  CONTACTLAWS_HD T force(const T& q, const T& gap) const noexcept {
-    const auto opening = detail::BridgeOpening<T>::of(q, gap);
+  CONTACTLAWS_HD T force(const T& q, const T& x) const noexcept {
+    const auto opening = detail::BridgeOpening<T>::of(x);
     return opening.limit * detail::polynomial(shape(q), centred_y(q, opening.e));
   }
-  /// With h' = -length (1 + e^2)/(2 e^2) e', the factor of P turns into length de = length 2 y dy: a polynomial again.
-  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap) const noexcept {
+  /// With x' = -(1 + e^2)/(2 e^2) e', the factor of P dx turns into -de = -2 y dy: a polynomial again.
+  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& x) const noexcept {
     const std::array<T, Polynomials::force_terms> p = shape(q);
     std::array<T, Polynomials::force_terms + 2> integral;  // of P (1 + t)/2 by t = 2 y - 1
     for (std::size_t i = 0; i < integral.size(); ++i) integral[i] = T(0);
@@ -82,9 +85,8 @@ struct YoungLaplace {
       integral[i + 1] = integral[i + 1] + p[i] / scalar_cast<T>(2 * (i + 1));
       integral[i + 2] = integral[i + 2] + p[i] / scalar_cast<T>(2 * (i + 2));
     }
-    const T here = centred_y(q, detail::BridgeOpening<T>::of(q, gap).e);
-    return detail::BridgeOpening<T>::length(q) *
-           T(detail::polynomial(integral, here) - detail::polynomial(integral, T(-1)));
+    const T here = centred_y(q, detail::BridgeOpening<T>::of(x).e);
+    return detail::polynomial(integral, here) - detail::polynomial(integral, T(-1));
   }
 
  private:
@@ -128,22 +130,21 @@ struct WillettClosed {
     angle_ = angle;
     cosine_ = cos(angle);
   }
-  CONTACTLAWS_HD T rupture_gap(const T& q) const noexcept { return detail::rupture_gap_of_lian<T>(angle_, q); }
-  CONTACTLAWS_HD T force(const T& q, const T& gap) const noexcept {
-    const T s = gap / T(T(q * q) * q);
+  CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(angle_, q); }
+  CONTACTLAWS_HD T force(const T&, const T& x) const noexcept {
+    const T s = detail::bridge_scale<T>() * x;
     return cosine_ / T(T(1) + s * (scalar_cast<T>(1.05) + scalar_cast<T>(2.5) * s));
   }
   /// The integral of 1/(1 + b s + c s^2) is 2/d artan((2 c s + b)/d), d^2 = 4 c - b^2.
-  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap) const noexcept {
+  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& x) const noexcept {
     using std::asin;
     using std::sqrt;
-    const T scale = T(q * q) * q;
     const T d = sqrt(scalar_cast<T>(10.0 - 1.05 * 1.05));
-    const auto angle_at = [&](const T& h) {
-      const T u = T(scalar_cast<T>(5.0) * T(h / scale) + scalar_cast<T>(1.05)) / d;
+    const auto angle_at = [&](const T& at) {
+      const T u = T(scalar_cast<T>(5.0) * T(detail::bridge_scale<T>() * at) + scalar_cast<T>(1.05)) / d;
       return T(asin(T(u / T(sqrt(T(T(1) + u * u))))));  // artan u
     };
-    return cosine_ * scale * T(2) / d * T(angle_at(rupture_gap(q)) - angle_at(gap));
+    return cosine_ * T(2) / T(d * detail::bridge_scale<T>()) * T(angle_at(rupture(q)) - angle_at(x));
   }
 
  private:
@@ -162,13 +163,13 @@ struct Rabinovich {
     angle_ = angle;
     cosine_ = cos(angle);
   }
-  CONTACTLAWS_HD T rupture_gap(const T& q) const noexcept { return detail::rupture_gap_of_lian<T>(angle_, q); }
-  CONTACTLAWS_HD T force(const T& q, const T& gap) const noexcept {
-    return cosine_ * detail::BridgeOpening<T>::of(q, gap).limit;
+  CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(angle_, q); }
+  CONTACTLAWS_HD T force(const T&, const T& x) const noexcept {
+    return cosine_ * detail::BridgeOpening<T>::of(x).limit;
   }
-  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap) const noexcept {
+  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& x) const noexcept {
     using Opening = detail::BridgeOpening<T>;
-    return cosine_ * Opening::length(q) * T(Opening::of(q, gap).e - Opening::of(q, rupture_gap(q)).e);
+    return cosine_ * T(Opening::of(x).e - Opening::of(rupture(q)).e);
   }
 
  private:

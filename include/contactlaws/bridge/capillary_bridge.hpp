@@ -89,7 +89,7 @@ struct CapillaryBridge {
 
   /// Gap at which a bridge of this volume ruptures [m].
   CONTACTLAWS_HD T rupture_gap(const PairProperties<T>& pair, const T& volume) const noexcept {
-    return with_rule([&](const ForceRule<T>& rule) { return rupture_gap(rule, pair, volume); });
+    return with_rule([&](const ForceRule<T>& rule) { return Size(pair, volume).rupture_gap(rule); });
   }
   /// Largest gap across which a bridge exists [m]: the rupture gap of bridge_volume.
   CONTACTLAWS_HD T range(const PairProperties<T>& pair) const noexcept {
@@ -109,11 +109,10 @@ struct CapillaryBridge {
     if (all<T>(dry)) return {T(0), !dry};
     return with_rule([&](const ForceRule<T>& rule) -> BridgeResponse<T> {
       const T gap = positive_part<T>(T(-overlap));
-      const T filling = select<T>(dry, T(0), volume);
-      const Mask<T> ruptured = gap >= rupture_gap(rule, pair, filling) && !dry;
+      const Size size(pair, volume);
+      const Mask<T> ruptured = gap >= size.rupture_gap(rule) && !dry;
       const Mask<T> intact = !(dry || ruptured);
-      const T r = radius(pair);
-      const T force = T(2) * pi<T>() * surface_tension * r * rule.force(relative_size(pair, filling), T(gap / r));
+      const T force = T(2) * pi<T>() * surface_tension * radius(pair) * rule.force(size.q, T(gap / size.length));
       state.bridge_volume = select<T>(ruptured, T(0), volume);
       state.returned_volume = select<T>(ruptured, T(state.returned_volume + volume), state.returned_volume);
       return {select<T>(intact, force, T(0)), intact};
@@ -124,28 +123,29 @@ struct CapillaryBridge {
   CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
     return with_rule([&](const ForceRule<T>& rule) {
       const T volume = minimum<T>(state.bridge_volume, bridge_volume);
-      const Mask<T> wet = !(volume <= T(0));
-      const T filling = select<T>(wet, volume, T(0));
       const T gap = positive_part<T>(T(-overlap));
-      const Mask<T> intact = wet && !(gap >= rupture_gap(rule, pair, filling));
-      const T r = radius(pair), q = relative_size(pair, filling);
-      const T work = rule.work_to_rupture(q, T(gap / r)) + rule.force(q, T(0)) * T(positive_part<T>(overlap) / r);
-      return select<T>(intact, T(-(T(2) * pi<T>() * surface_tension * r * r) * work), T(0));
+      const Size size(pair, volume);
+      const Mask<T> intact = !(volume <= T(0)) && !(gap >= size.rupture_gap(rule));
+      const T work = size.length * rule.work_to_rupture(size.q, T(gap / size.length)) +
+                     positive_part<T>(overlap) * rule.force(size.q, T(0));
+      return select<T>(intact, T(-(T(2) * pi<T>() * surface_tension * radius(pair)) * work), T(0));
     });
   }
 
  private:
-  /// q = (V/R^3)^(1/6), V at most R^3. Of no liquid, that of any volume: what is computed with it is not used.
-  CONTACTLAWS_HD static T relative_size(const PairProperties<T>& pair, const T& volume) noexcept {
-    const T r = radius(pair);
-    const T cube = r * r * r;
-    const T some = select<T>(volume <= T(0), cube, minimum<T>(volume, cube));
-    return power_of_quotient<T>(some, cube, T(T(1) / T(6)));
-  }
-  CONTACTLAWS_HD static T rupture_gap(const ForceRule<T>& rule, const PairProperties<T>& pair,
-                                      const T& volume) noexcept {
-    return radius(pair) * rule.rupture_gap(relative_size(pair, volume));
-  }
+  /// A bridge of volume V, at most R^3. Of no liquid, that of R^3: what is computed with it is not used.
+  struct Size {
+    T q;       ///< (V/R^3)^(1/6)
+    T length;  ///< sqrt(2 V/(pi R)), the gap of x = 1 [m]
+
+    CONTACTLAWS_HD Size(const PairProperties<T>& pair, const T& volume) noexcept {
+      const T r = radius(pair);
+      const T cube = r * r * r;
+      q = power_of_quotient<T>(select<T>(volume <= T(0), cube, minimum<T>(volume, cube)), cube, T(T(1) / T(6)));
+      length = detail::bridge_scale<T>() * r * T(T(q * q) * q);
+    }
+    CONTACTLAWS_HD T rupture_gap(const ForceRule<T>& rule) const noexcept { return length * rule.rupture(q); }
+  };
   /// use(the rule for this contact angle): the prepared one, unless the angle was changed since.
   template <class Use>
   CONTACTLAWS_HD auto with_rule(const Use& use) const noexcept {
