@@ -29,7 +29,7 @@ template <class Rule>
 double force(const At& at) {
   Rule rule;
   rule.prepare(at.angle);
-  return rule.force(std::pow(at.volume, 1.0 / 6.0), at.gap / scale(at.volume));
+  return rule.force(std::pow(at.volume, 1.0 / 6.0), at.gap, scale(at.volume));
 }
 
 int run(const std::string& directory) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The force of a liquid bridge of volume V between two spheres of radius R, contact angle theta, gap h, as three rules. Each
-// takes q = (V/R^3)^(1/6) and x = h / sqrt(2 V/(pi R)), and returns F/(2 pi R gamma), the x of rupture, and the integral of
-// the force over x up to there. None counts gravity or the pinning of the contact line.
+// takes q = (V/R^3)^(1/6), h and l = sqrt(2 V/(pi R)), and returns F/(2 pi R gamma), the rupture gap over l, and the integral of
+// the force over h/l up to there. None counts gravity or the pinning of the contact line. In what follows x = h/l.
 //
 //   YoungLaplace    the exact axisymmetric bridge on its stable branch, as polynomials:
 //                   F = (1 - x/sqrt(x^2 + 1)) P(q, y, theta),   y = sqrt(e - e_r),   e = sqrt(x^2 + 1) - x
@@ -37,17 +37,17 @@ CONTACTLAWS_HD T bridge_scale() noexcept {
   return scalar_cast<T>(0.79788456080286535588);
 }
 
-/// How far a bridge is open.
+/// How far a bridge is open, by one division: packs divide slowly.
 template <class T>
 struct BridgeOpening {
   T e;      ///< sqrt(x^2 + 1) - x
   T limit;  ///< 1 - x/sqrt(x^2 + 1), the force of a small bridge
 
-  CONTACTLAWS_HD static BridgeOpening of(const T& x) noexcept {
+  CONTACTLAWS_HD static BridgeOpening of(const T& gap, const T& length) noexcept {
     using std::sqrt;
-    const T root = sqrt(T(x * x + T(1)));
-    const T limit = T(1) / T(root * T(root + x));
-    return {root * limit, limit};
+    const T root = sqrt(T(gap * gap + length * length));
+    const T scaled = length / T(root * T(root + gap));
+    return {root * scaled, length * scaled};
   }
 };
 
@@ -55,6 +55,10 @@ struct BridgeOpening {
 template <class T>
 CONTACTLAWS_HD T rupture_of_lian(const T& angle, const T& q) noexcept {
   return T(T(1) + angle / T(2)) / T(bridge_scale<T>() * q);
+}
+template <class T>
+CONTACTLAWS_HD Mask<T> ruptures_by_lian(const T& angle, const T& q, const T& gap, const T& length) noexcept {
+  return bridge_scale<T>() * q * gap >= T(T(1) + angle / T(2)) * length;
 }
 
 }  // namespace detail
@@ -72,12 +76,17 @@ struct YoungLaplace {
     const T e = least_e(q);
     return T(T(1) / e - e) / T(2);
   }
-  CONTACTLAWS_HD T force(const T& q, const T& x) const noexcept {
-    const auto opening = detail::BridgeOpening<T>::of(x);
+  /// gap >= rupture(q) length, without a division.
+  CONTACTLAWS_HD Mask<T> is_ruptured(const T& q, const T& gap, const T& length) const noexcept {
+    const T e = least_e(q);
+    return T(2) * e * gap >= T(T(1) - e * e) * length;
+  }
+  CONTACTLAWS_HD T force(const T& q, const T& gap, const T& length) const noexcept {
+    const auto opening = detail::BridgeOpening<T>::of(gap, length);
     return opening.limit * detail::polynomial(shape(q), centred_y(q, opening.e));
   }
   /// With x' = -(1 + e^2)/(2 e^2) e', the factor of P dx turns into -de = -2 y dy: a polynomial again.
-  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& x) const noexcept {
+  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap, const T& length) const noexcept {
     const std::array<T, Polynomials::force_terms> p = shape(q);
     std::array<T, Polynomials::force_terms + 2> integral;  // of P (1 + t)/2 by t = 2 y - 1
     for (std::size_t i = 0; i < integral.size(); ++i) integral[i] = T(0);
@@ -85,7 +94,7 @@ struct YoungLaplace {
       integral[i + 1] = integral[i + 1] + p[i] / scalar_cast<T>(2 * (i + 1));
       integral[i + 2] = integral[i + 2] + p[i] / scalar_cast<T>(2 * (i + 2));
     }
-    const T here = centred_y(q, detail::BridgeOpening<T>::of(x).e);
+    const T here = centred_y(q, detail::BridgeOpening<T>::of(gap, length).e);
     return detail::polynomial(integral, here) - detail::polynomial(integral, T(-1));
   }
 
@@ -131,12 +140,16 @@ struct WillettClosed {
     cosine_ = cos(angle);
   }
   CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(angle_, q); }
-  CONTACTLAWS_HD T force(const T&, const T& x) const noexcept {
-    const T s = detail::bridge_scale<T>() * x;
-    return cosine_ / T(T(1) + s * (scalar_cast<T>(1.05) + scalar_cast<T>(2.5) * s));
+  CONTACTLAWS_HD Mask<T> is_ruptured(const T& q, const T& gap, const T& length) const noexcept {
+    return detail::ruptures_by_lian<T>(angle_, q, gap, length);
+  }
+  CONTACTLAWS_HD T force(const T&, const T& gap, const T& length) const noexcept {
+    const T s = detail::bridge_scale<T>() * gap;  // times length
+    const T square = length * length;
+    return cosine_ * square / T(square + s * (scalar_cast<T>(1.05) * length + scalar_cast<T>(2.5) * s));
   }
   /// The integral of 1/(1 + b s + c s^2) is 2/d artan((2 c s + b)/d), d^2 = 4 c - b^2.
-  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& x) const noexcept {
+  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap, const T& length) const noexcept {
     using std::asin;
     using std::sqrt;
     const T d = sqrt(scalar_cast<T>(10.0 - 1.05 * 1.05));
@@ -144,7 +157,7 @@ struct WillettClosed {
       const T u = T(scalar_cast<T>(5.0) * T(detail::bridge_scale<T>() * at) + scalar_cast<T>(1.05)) / d;
       return T(asin(T(u / T(sqrt(T(T(1) + u * u))))));  // artan u
     };
-    return cosine_ * T(2) / T(d * detail::bridge_scale<T>()) * T(angle_at(rupture(q)) - angle_at(x));
+    return cosine_ * T(2) / T(d * detail::bridge_scale<T>()) * T(angle_at(rupture(q)) - angle_at(T(gap / length)));
   }
 
  private:
@@ -164,12 +177,15 @@ struct Rabinovich {
     cosine_ = cos(angle);
   }
   CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(angle_, q); }
-  CONTACTLAWS_HD T force(const T&, const T& x) const noexcept {
-    return cosine_ * detail::BridgeOpening<T>::of(x).limit;
+  CONTACTLAWS_HD Mask<T> is_ruptured(const T& q, const T& gap, const T& length) const noexcept {
+    return detail::ruptures_by_lian<T>(angle_, q, gap, length);
   }
-  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& x) const noexcept {
+  CONTACTLAWS_HD T force(const T&, const T& gap, const T& length) const noexcept {
+    return cosine_ * detail::BridgeOpening<T>::of(gap, length).limit;
+  }
+  CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap, const T& length) const noexcept {
     using Opening = detail::BridgeOpening<T>;
-    return cosine_ * T(Opening::of(x).e - Opening::of(rupture(q)).e);
+    return cosine_ * T(Opening::of(gap, length).e - Opening::of(rupture(q), T(1)).e);
   }
 
  private:

@@ -110,9 +110,9 @@ struct CapillaryBridge {
     return with_rule([&](const ForceRule<T>& rule) -> BridgeResponse<T> {
       const T gap = positive_part<T>(T(-overlap));
       const Size size(pair, volume);
-      const Mask<T> ruptured = gap >= size.rupture_gap(rule) && !dry;
+      const Mask<T> ruptured = rule.is_ruptured(size.q, gap, size.length) && !dry;
       const Mask<T> intact = !(dry || ruptured);
-      const T force = T(2) * pi<T>() * surface_tension * radius(pair) * rule.force(size.q, T(gap / size.length));
+      const T force = T(2) * pi<T>() * surface_tension * radius(pair) * rule.force(size.q, gap, size.length);
       state.bridge_volume = select<T>(ruptured, T(0), volume);
       state.returned_volume = select<T>(ruptured, T(state.returned_volume + volume), state.returned_volume);
       return {select<T>(intact, force, T(0)), intact};
@@ -125,9 +125,9 @@ struct CapillaryBridge {
       const T volume = minimum<T>(state.bridge_volume, bridge_volume);
       const T gap = positive_part<T>(T(-overlap));
       const Size size(pair, volume);
-      const Mask<T> intact = !(volume <= T(0)) && !(gap >= size.rupture_gap(rule));
-      const T work = size.length * rule.work_to_rupture(size.q, T(gap / size.length)) +
-                     positive_part<T>(overlap) * rule.force(size.q, T(0));
+      const Mask<T> intact = !(volume <= T(0)) && !rule.is_ruptured(size.q, gap, size.length);
+      const T work = size.length * rule.work_to_rupture(size.q, gap, size.length) +
+                     positive_part<T>(overlap) * rule.force(size.q, T(0), size.length);
       return select<T>(intact, T(-(T(2) * pi<T>() * surface_tension * radius(pair)) * work), T(0));
     });
   }
@@ -144,7 +144,11 @@ struct CapillaryBridge {
       q = power_of_quotient<T>(select<T>(volume <= T(0), cube, minimum<T>(volume, cube)), cube, T(T(1) / T(6)));
       length = detail::bridge_scale<T>() * r * T(T(q * q) * q);
     }
-    CONTACTLAWS_HD T rupture_gap(const ForceRule<T>& rule) const noexcept { return length * rule.rupture(q); }
+    /// Rounded up: is_ruptured() rounds otherwise, and holds from here on.
+    CONTACTLAWS_HD T rupture_gap(const ForceRule<T>& rule) const noexcept {
+      using Limits = std::numeric_limits<typename ScalarTraits<T>::Lane>;
+      return length * rule.rupture(q) * T(T(1) + T(16) * T(Limits::epsilon()));
+    }
   };
   /// use(the rule for this contact angle): the prepared one, unless the angle was changed since.
   template <class Use>
