@@ -8,7 +8,7 @@
 The polynomials stand in the variables in which the exact solution is smooth. With lengths in R and forces in 2 pi R gamma:
 
     q = V^(1/6), x = h / sqrt(2 V/pi), e = sqrt(x^2 + 1) - x: 1 at touch, e_r at rupture
-    F = (1 - x/sqrt(x^2 + 1)) P(q, y, angle),  y = sqrt(e - e_r),  e_r = q E(q, angle)
+    F = (1 - x/sqrt(x^2 + 1)) P(q, y, angle),  y = sqrt((e - e_r)/(1 - e_r)),  e_r = q E(q, angle)
 
 The factor of P is the limit of small volumes; y takes up the square root of the force at rupture. Least squares, weighted
 towards the smallest largest error, in Chebyshev's polynomials; written as powers.
@@ -71,7 +71,7 @@ def samples(bridges):
         gap[0], gap[-1] = 0.0, bridges.rupture_gap[i]
         e, limit = opening(gap, q[i])
         pull = force(path)
-        y = np.sqrt(np.maximum(e - at_rupture[i], 0.0))
+        y = np.sqrt(np.maximum(e - at_rupture[i], 0.0) / (1 - at_rupture[i]))
         rows.append([np.full(gap.size, q[i]), np.full(gap.size, bridges.angle[i]), y, limit, pull / limit,
                      np.full(gap.size, pull.max())])
     return np.concatenate(rows, axis=1), at_rupture
@@ -151,6 +151,7 @@ struct YoungLaplacePolynomials {{
   static constexpr double lowest = {Q_LOW:.17g}, highest = {Q_HIGH:.17g};  ///< of q = (V/R^3)^(1/6)
 
   std::array<std::array<T, volume_terms>, force_terms> force;  ///< P, by powers of 2 y - 1, then of the scaled q
+  std::array<T, volume_terms> touch;                           ///< P at touch, where y = 1, by powers of the scaled q
   std::array<T, rupture_terms> rupture;                        ///< e_r/q, by powers of the scaled q
 
   /// For this contact angle [rad].
@@ -170,6 +171,7 @@ CONTACTLAWS_HD void YoungLaplacePolynomials<T>::prepare(const T& angle) noexcept
       T sum = T(0);
       for (std::size_t k = {of_angle + 1}; k-- > 0;) sum = sum * straight + scalar_cast<T>(forces[(k * force_terms + j) * volume_terms + i]);
       force[j][i] = sum;
+      touch[i] = j == 0 ? sum : T(touch[i] + sum);
     }}
   for (std::size_t i = 0; i < rupture_terms; ++i) {{
     T sum = T(0);

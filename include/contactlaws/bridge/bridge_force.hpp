@@ -4,7 +4,8 @@
 // the force over h/l up to there. None counts gravity or the pinning of the contact line. In what follows x = h/l.
 //
 //   YoungLaplace    the exact axisymmetric bridge on its stable branch, as polynomials:
-//                   F = (1 - x/sqrt(x^2 + 1)) P(q, y, theta),   y = sqrt(e - e_r),   e = sqrt(x^2 + 1) - x
+//                   F = (1 - x/sqrt(x^2 + 1)) P(q, y, theta),   e = sqrt(x^2 + 1) - x
+//                   y = sqrt((e - e_r)/(1 - e_r)): 1 at touch, 0 at rupture
 //                   rupture at e_r = q E(q, theta), the largest gap at which the equation has a solution
 //   WillettClosed   F = cos(theta) / (1 + 1.05 s + 2.5 s^2),    s = h sqrt(R/V)        Willett et al. (2000) Eq. 12
 //   Rabinovich      F = cos(theta) (1 - x/sqrt(x^2 + 1))                               Rabinovich et al. (2005) Eqs 19, 20
@@ -81,11 +82,14 @@ struct YoungLaplace {
     const T e = least_e(q);
     return T(2) * e * gap >= T(T(1) - e * e) * length;
   }
+  CONTACTLAWS_HD T force_at_touch(const T& q) const noexcept {
+    return detail::polynomial(polynomials_.touch, scaled(q));
+  }
   CONTACTLAWS_HD T force(const T& q, const T& gap, const T& length) const noexcept {
     const auto opening = detail::BridgeOpening<T>::of(gap, length);
     return opening.limit * detail::polynomial(shape(q), centred_y(q, opening.e));
   }
-  /// With x' = -(1 + e^2)/(2 e^2) e', the factor of P dx turns into -de = -2 y dy: a polynomial again.
+  /// With x' = -(1 + e^2)/(2 e^2) e', the factor of P dx turns into -de = -(1 - e_r) 2 y dy: a polynomial again.
   CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap, const T& length) const noexcept {
     const std::array<T, Polynomials::force_terms> p = shape(q);
     std::array<T, Polynomials::force_terms + 2> integral;  // of P (1 + t)/2 by t = 2 y - 1
@@ -95,7 +99,7 @@ struct YoungLaplace {
       integral[i + 2] = integral[i + 2] + p[i] / scalar_cast<T>(2 * (i + 2));
     }
     const T here = centred_y(q, detail::BridgeOpening<T>::of(gap, length).e);
-    return detail::polynomial(integral, here) - detail::polynomial(integral, T(-1));
+    return T(T(1) - least_e(q)) * T(detail::polynomial(integral, here) - detail::polynomial(integral, T(-1)));
   }
 
  private:
@@ -114,7 +118,8 @@ struct YoungLaplace {
   /// 2 y - 1
   CONTACTLAWS_HD T centred_y(const T& q, const T& e) const noexcept {
     using std::sqrt;
-    return T(2) * T(sqrt(positive_part<T>(e - least_e(q)))) - T(1);
+    const T least = least_e(q);
+    return T(2) * T(sqrt(T(positive_part<T>(e - least) / T(T(1) - least)))) - T(1);
   }
   /// P of this volume, by powers of 2 y - 1.
   CONTACTLAWS_HD std::array<T, Polynomials::force_terms> shape(const T& q) const noexcept {
@@ -143,6 +148,7 @@ struct WillettClosed {
   CONTACTLAWS_HD Mask<T> is_ruptured(const T& q, const T& gap, const T& length) const noexcept {
     return detail::ruptures_by_lian<T>(angle_, q, gap, length);
   }
+  CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine_; }
   CONTACTLAWS_HD T force(const T&, const T& gap, const T& length) const noexcept {
     const T s = detail::bridge_scale<T>() * gap;  // times length
     const T square = length * length;
@@ -180,6 +186,7 @@ struct Rabinovich {
   CONTACTLAWS_HD Mask<T> is_ruptured(const T& q, const T& gap, const T& length) const noexcept {
     return detail::ruptures_by_lian<T>(angle_, q, gap, length);
   }
+  CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine_; }
   CONTACTLAWS_HD T force(const T&, const T& gap, const T& length) const noexcept {
     return cosine_ * detail::BridgeOpening<T>::of(gap, length).limit;
   }

@@ -110,9 +110,15 @@ struct CapillaryBridge {
     return with_rule([&](const ForceRule<T>& rule) -> BridgeResponse<T> {
       const T gap = positive_part<T>(T(-overlap));
       const Size size(pair, volume);
-      const Mask<T> ruptured = rule.is_ruptured(size.q, gap, size.length) && !dry;
+      const Mask<T> touching = gap <= T(0);
+      T relative = rule.force_at_touch(size.q);
+      Mask<T> ruptured = Mask<T>(false);
+      if (!all<T>(touching || dry)) {
+        relative = select<T>(touching, relative, rule.force(size.q, gap, size.length));
+        ruptured = rule.is_ruptured(size.q, gap, size.length) && !dry;
+      }
       const Mask<T> intact = !(dry || ruptured);
-      const T force = T(2) * pi<T>() * surface_tension * radius(pair) * rule.force(size.q, gap, size.length);
+      const T force = T(2) * pi<T>() * surface_tension * radius(pair) * relative;
       state.bridge_volume = select<T>(ruptured, T(0), volume);
       state.returned_volume = select<T>(ruptured, T(state.returned_volume + volume), state.returned_volume);
       return {select<T>(intact, force, T(0)), intact};
@@ -127,7 +133,7 @@ struct CapillaryBridge {
       const Size size(pair, volume);
       const Mask<T> intact = !(volume <= T(0)) && !rule.is_ruptured(size.q, gap, size.length);
       const T work = size.length * rule.work_to_rupture(size.q, gap, size.length) +
-                     positive_part<T>(overlap) * rule.force(size.q, T(0), size.length);
+                     positive_part<T>(overlap) * rule.force_at_touch(size.q);
       return select<T>(intact, T(-(T(2) * pi<T>() * surface_tension * radius(pair)) * work), T(0));
     });
   }
