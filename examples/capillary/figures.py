@@ -60,11 +60,11 @@ def figure_force(curves, exact):
                 panel.plot(gap, shown, style, color=colour, linewidth=2.0 if style == "-" else 1.3)
             panel.plot(gap[::8], exact[a, v][::8], "o", color="black", markersize=3, zorder=5)
             panel.plot(gap[-1:], curves.force["young_laplace"][a, v][-1:], "x", color=COMPUTED, markersize=6, zorder=6)
-            at = 0.6 if degrees == 0 else 0.75  # where the curves stand apart
-            panel.annotate(f"$V/R^3 = 10^{{{round(np.log10(volume))}}}$" if volume == SHOWN[-1] else f"$10^{{{round(np.log10(volume))}}}$",
-                           (at, np.interp(at, gap, curves.force["young_laplace"][a, v])), xytext=(0, 2), textcoords="offset points",
-                           fontsize=7.5, color="#202020", ha="left", va="bottom")
-        panel.set(xlabel="gap / $V^{1/3}$", xlim=(0, None), ylim=(0, 1.02), title=f"contact angle {degrees:.0f}°")
+            level = 0.3 if degrees == 0 else 0.25  # where the curves stand apart
+            pull = curves.force["young_laplace"][a, v]
+            panel.annotate(f"$10^{{{round(np.log10(volume))}}}$", (np.interp(-level, -pull, gap), level), fontsize=8, color="black", ha="center",
+                           va="center", bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none"}, zorder=7)
+        panel.set(xlabel="gap / $V^{1/3}$", xlim=(0, None), ylim=(0, 1.02), title=f"contact angle {degrees:.0f}°, numbers: $V/R^3$")
     axes[0].set_ylabel("force / $2 \\pi R \\gamma$")
     handles = [Line2D([], [], color=colour, linestyle=style, label=label) for _, label, colour, style in RULES]
     handles.append(Line2D([], [], color="black", marker="o", linestyle="", markersize=3, label="Young-Laplace equation, solved"))
