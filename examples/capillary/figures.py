@@ -60,7 +60,8 @@ def figure_force(curves, exact):
                 panel.plot(gap, shown, style, color=colour, linewidth=2.0 if style == "-" else 1.3)
             panel.plot(gap[::8], exact[a, v][::8], "o", color="black", markersize=3, zorder=5)
             panel.plot(gap[-1:], curves.force["young_laplace"][a, v][-1:], "x", color=COMPUTED, markersize=6, zorder=6)
-            level = 0.3 if degrees == 0 else 0.25  # where the curves stand apart
+            # Each where its curve stands apart.
+            level = {1e-5: 0.17, 1e-4: 0.24, 1e-3: 0.31, 1e-2: 0.38, 1e-1: 0.45}[volume] * (1.0 if degrees == 0 else 0.85)
             pull = curves.force["young_laplace"][a, v]
             panel.annotate(f"$10^{{{round(np.log10(volume))}}}$", (np.interp(-level, -pull, gap), level), fontsize=8, color="black", ha="center",
                            va="center", bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none"}, zorder=7)

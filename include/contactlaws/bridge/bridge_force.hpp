@@ -71,7 +71,7 @@ struct YoungLaplace {
   using Rebind = YoungLaplace<U>;
   static constexpr const char* name = "YoungLaplace";
 
-  CONTACTLAWS_HD void prepare(const T& angle) noexcept { polynomials_.prepare(angle); }
+  CONTACTLAWS_HD void prepare(const T& angle) noexcept { polynomials.prepare(angle); }
 
   CONTACTLAWS_HD T rupture(const T& q) const noexcept {
     const T e = least_e(q);
@@ -83,7 +83,7 @@ struct YoungLaplace {
     return T(2) * e * gap >= T(T(1) - e * e) * length;
   }
   CONTACTLAWS_HD T force_at_touch(const T& q) const noexcept {
-    return detail::polynomial(polynomials_.touch, scaled(q));
+    return detail::polynomial(polynomials.touch, scaled(q));
   }
   CONTACTLAWS_HD T force(const T& q, const T& gap, const T& length) const noexcept {
     const auto opening = detail::BridgeOpening<T>::of(gap, length);
@@ -112,9 +112,7 @@ struct YoungLaplace {
     return inside * scalar_cast<T>(2 / (highest - lowest)) - scalar_cast<T>((highest + lowest) / (highest - lowest));
   }
   /// e at rupture.
-  CONTACTLAWS_HD T least_e(const T& q) const noexcept {
-    return q * detail::polynomial(polynomials_.rupture, scaled(q));
-  }
+  CONTACTLAWS_HD T least_e(const T& q) const noexcept { return q * detail::polynomial(polynomials.rupture, scaled(q)); }
   /// 2 y - 1
   CONTACTLAWS_HD T centred_y(const T& q, const T& e) const noexcept {
     using std::sqrt;
@@ -125,11 +123,11 @@ struct YoungLaplace {
   CONTACTLAWS_HD std::array<T, Polynomials::force_terms> shape(const T& q) const noexcept {
     const T s = scaled(q);
     std::array<T, Polynomials::force_terms> p;
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] = detail::polynomial(polynomials_.force[i], s);
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = detail::polynomial(polynomials.force[i], s);
     return p;
   }
 
-  Polynomials polynomials_;
+  Polynomials polynomials;
 };
 
 /// A closed form fitted to perfectly wetting bridges.
@@ -141,18 +139,18 @@ struct WillettClosed {
 
   CONTACTLAWS_HD void prepare(const T& angle) noexcept {
     using std::cos;
-    angle_ = angle;
-    cosine_ = cos(angle);
+    prepared_angle = angle;
+    cosine = cos(angle);
   }
-  CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(angle_, q); }
+  CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(prepared_angle, q); }
   CONTACTLAWS_HD Mask<T> is_ruptured(const T& q, const T& gap, const T& length) const noexcept {
-    return detail::ruptures_by_lian<T>(angle_, q, gap, length);
+    return detail::ruptures_by_lian<T>(prepared_angle, q, gap, length);
   }
-  CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine_; }
+  CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine; }
   CONTACTLAWS_HD T force(const T&, const T& gap, const T& length) const noexcept {
     const T s = detail::bridge_scale<T>() * gap;  // times length
     const T square = length * length;
-    return cosine_ * square / T(square + s * (scalar_cast<T>(1.05) * length + scalar_cast<T>(2.5) * s));
+    return cosine * square / T(square + s * (scalar_cast<T>(1.05) * length + scalar_cast<T>(2.5) * s));
   }
   /// The integral of 1/(1 + b s + c s^2) is 2/d artan((2 c s + b)/d), d^2 = 4 c - b^2.
   CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap, const T& length) const noexcept {
@@ -163,11 +161,11 @@ struct WillettClosed {
       const T u = T(scalar_cast<T>(5.0) * T(detail::bridge_scale<T>() * at) + scalar_cast<T>(1.05)) / d;
       return T(asin(T(u / T(sqrt(T(T(1) + u * u))))));  // artan u
     };
-    return cosine_ * T(2) / T(d * detail::bridge_scale<T>()) * T(angle_at(rupture(q)) - angle_at(T(gap / length)));
+    return cosine * T(2) / T(d * detail::bridge_scale<T>()) * T(angle_at(rupture(q)) - angle_at(T(gap / length)));
   }
 
  private:
-  T angle_ = T(0), cosine_ = T(1);
+  T prepared_angle = T(0), cosine = T(1);
 };
 
 /// The limit of small volumes.
@@ -179,24 +177,24 @@ struct Rabinovich {
 
   CONTACTLAWS_HD void prepare(const T& angle) noexcept {
     using std::cos;
-    angle_ = angle;
-    cosine_ = cos(angle);
+    prepared_angle = angle;
+    cosine = cos(angle);
   }
-  CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(angle_, q); }
+  CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(prepared_angle, q); }
   CONTACTLAWS_HD Mask<T> is_ruptured(const T& q, const T& gap, const T& length) const noexcept {
-    return detail::ruptures_by_lian<T>(angle_, q, gap, length);
+    return detail::ruptures_by_lian<T>(prepared_angle, q, gap, length);
   }
-  CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine_; }
+  CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine; }
   CONTACTLAWS_HD T force(const T&, const T& gap, const T& length) const noexcept {
-    return cosine_ * detail::BridgeOpening<T>::of(gap, length).limit;
+    return cosine * detail::BridgeOpening<T>::of(gap, length).limit;
   }
   CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap, const T& length) const noexcept {
     using Opening = detail::BridgeOpening<T>;
-    return cosine_ * T(Opening::of(gap, length).e - Opening::of(rupture(q), T(1)).e);
+    return cosine * T(Opening::of(gap, length).e - Opening::of(rupture(q), T(1)).e);
   }
 
  private:
-  T angle_ = T(0), cosine_ = T(1);
+  T prepared_angle = T(0), cosine = T(1);
 };
 
 }  // namespace contactlaws

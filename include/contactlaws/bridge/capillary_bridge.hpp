@@ -69,8 +69,8 @@ struct CapillaryBridge {
   /// Reduces the rule to this contact angle. of() and cast() call it. Without it each step does so anew, at a multiple of the
   /// cost: after the angle was changed, or in a law on Columns.
   CONTACTLAWS_HD void prepare() noexcept {
-    rule_.prepare(contact_angle);
-    prepared_for_ = contact_angle;
+    prepared_rule.prepare(contact_angle);
+    prepared_angle = contact_angle;
   }
 
   /// Whether the contact carries a bridge. A NaN volume counts as one, so that its force is NaN.
@@ -159,9 +159,9 @@ struct CapillaryBridge {
   /// use(the rule for this contact angle): the prepared one, unless the angle was changed since.
   template <class Use>
   CONTACTLAWS_HD auto with_rule(const Use& use) const noexcept {
-    const Mask<T> is_ready = contact_angle <= prepared_for_ && contact_angle >= prepared_for_;
+    const Mask<T> is_ready = contact_angle <= prepared_angle && contact_angle >= prepared_angle;
     ForceRule<T> anew;
-    const ForceRule<T>* rule = &rule_;
+    const ForceRule<T>* rule = &prepared_rule;
     if (!all<T>(is_ready)) {
       anew.prepare(contact_angle);
       rule = &anew;
@@ -169,8 +169,8 @@ struct CapillaryBridge {
     return use(*rule);
   }
 
-  ForceRule<T> rule_ = ForceRule<T>();
-  T prepared_for_ = T(-1);  // no angle
+  ForceRule<T> prepared_rule = ForceRule<T>();
+  T prepared_angle = T(-1);  // no angle
 };
 
 }  // namespace contactlaws
