@@ -45,8 +45,8 @@ using LinearSpringDashpot = ContactLaw<LinearSpring<T>, Dashpots<T, tension>, Sh
 template <class T>
 using RoughBallast = ContactLaw<PohrtPopovElastoPlastic<T>, NoDashpots<T>, ShearForce<T, ConstantRatio<T>>>;
 
-/// Wet grains: DryHill and a liquid bridge of a given volume, by default formed where grains touch. State: the shear force,
-/// the bridge's volume and what ruptured bridges returned.
+/// Wet grains: DryHill, whose dashpots do not pull, and a liquid bridge of a given volume, by default formed where grains touch.
+/// State: the shear force, the volume of the bridge and what ruptured bridges returned.
 template <class T, template <class> class ForceRule = YoungLaplace, Wets wets = Wets::at_touch>
 using WetGrains =
     ContactLaw<Hertz<T>, Dashpots<T, Tension::clipped>, ShearForce<T>, CapillaryBridge<T, ForceRule, wets>>;

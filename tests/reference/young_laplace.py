@@ -1,7 +1,7 @@
 """The liquid bridge between two equal spheres, exactly: the Young-Laplace equation of an axisymmetric bridge of given volume
 and contact angle, on its stable branch. Lengths in R, forces in 2 pi R gamma; arrays of bridges are solved at once.
 
-Along the meridian, s from the neck, p the suction in gamma/R, t the slope against the axis (Orr, Scriven & Rivas 1975, Eqs 1-5):
+Along the meridian, s from the neck, p the suction in gamma/R, t the slope against the axis (Orr, Scriven & Rivas 1975):
 
     r cos t + p r^2/2 = F          the force through every cross-section is the same: the first integral
     (r^2)'' = 2 + 2 p F - p^2 r^2  from it and r' = sin t, so with r(0) = r0, r'(0) = 0:

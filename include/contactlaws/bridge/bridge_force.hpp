@@ -16,8 +16,9 @@
 // Domain: V/R^3 from 1e-5 to 0.1, theta from 0 to 60 degrees. Beyond, YoungLaplace keeps P and E of the nearest volume, so that
 // force and rupture gap scale as those of small volumes do (at touch then 2 to 5 % low); V > R^3 counts as R^3.
 // Error in the largest force of the bridge, over the domain up to the exact rupture (tests/laws/test_capillary_bridge.cpp):
-//   YoungLaplace 0.06 %, 0.1 % at rupture itself (rupture gap 5e-6, energy 0.2 %);  WillettClosed -34 to +93 %, to 20 degrees -9 to +31 %;
-//   Rabinovich -35 to +93 %, to 20 degrees -10 to +31 %; Lian's rupture gap -14 to +8 %.
+//   YoungLaplace    0.06 %, 0.1 % at rupture itself; rupture gap 5e-6, energy 0.2 % of that at touch
+//   WillettClosed   -34 to +94 %, to 20 degrees -9 to +31 %; Lian's rupture gap -14 to +4 %
+//   Rabinovich      -35 to +94 %, to 20 degrees -10 to +31 %
 #pragma once
 
 #include <array>

@@ -8,16 +8,16 @@
 // f, with its sources, domain and errors, is a rule of bridge_force.hpp: YoungLaplace (exact), WillettClosed or Rabinovich.
 // Derjaguin's radius itself is an approximation for small V/R^3 (Willett et al. 2000).
 //
-// History: V, and the volume returned so far. V + returned changes only when the host pours. A bridge forms
+// History: V, and the volume returned so far. V + returned changes only where the host pours or dries. A bridge forms
 //   Wets::by_host    where the host sets V, or calls make_wet() (then V = bridge_volume)
 //   Wets::at_touch   and also, with V = bridge_volume, where a contact without a bridge touches; `returned` falls by as much
 // A bridge holds at most bridge_volume: more is cut to that, so that range() bounds every gap across which one pulls.
 // A host that keeps a budget of liquid reads `returned` after a step and sets it to 0. One that drops a pair without a step
 // beyond range() takes V itself.
 //
-// Energy: minus the work that pulling the bridge to rupture takes, the integral of the force. Rounding: the square root at
-// rupture turns an error of the gap into its root; up to 0.9 of the rupture
-// gap the force is within 10 ULP of that at touch (tests/laws/test_capillary_bridge.cpp).
+// Energy: minus the work that pulling the bridge to rupture takes, the integral of the force.
+// Rounding: up to 0.9 of the rupture gap the force is off by at most 10 ULP of that at touch; at rupture its square root turns an
+// error of the gap into the root of that error (tests/laws/test_capillary_bridge.cpp).
 #pragma once
 
 #include <array>
