@@ -117,6 +117,9 @@ int main(int argc, char** argv) {
   add("Jkr", granite<ContactLaw<Jkr<double>>>(), mix);
   add("Jkr+Dashpots+ShearForce", granite<ContactLaw<Jkr<double>, Dashpots<double>, ShearForce<double>>>(), mix);
   add("CohesivePowder", granite<CohesivePowder<double>>(), mix);
+  add("WetGrains", granite<WetGrains<double>>(), mix);
+  add("WetGrains/willett", granite<WetGrains<double, WillettClosed>>(), mix);
+  add("WetGrains/rabinovich", granite<WetGrains<double, Rabinovich>>(), mix);
   add("RoughBallast", granite<RoughBallast<double>>(), mix);
   add("RoughBallast/resting", granite<RoughBallast<double>>(), resting);
   benchmark::RegisterBenchmark(CONTACTLAWS_BENCH_ARCH "/triad", triad);

@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   add("DryHill", granite<DryHill<double>>());
   add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.0, 0.0, 1e-4});
   add("Hill", granite<Hill<double>>(), {0.05, 0.05, 0.5});
+  add("WetGrains", granite<WetGrains<double>>(), {0.05, 0.05, 1.0});
   add("RoughBallast", granite<RoughBallast<double>>());
   add("Jkr+Dashpots+ShearForce", granite<ContactLaw<Jkr<double>, Dashpots<double>, ShearForce<double>>>());
   add("CohesivePowder", granite<CohesivePowder<double>>());

@@ -61,10 +61,19 @@ inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}
 /// The state that a contact of the mix starts from.
 template <class Law>
 typename Law::State first_state(const Contact& contact) {
+  using T = typename Law::Scalar;
   typename Law::State state{};
   if constexpr (decltype(Law::bridge)::acts)
-    if (contact.wet) state.moisture = 2;
+    if (contact.wet) Law::make_wet(state, T(1), T(0));
   return state;
+}
+
+/// A bridge of 200 kPa, or of water: V/R^3 from 1e-4 to 1e-2, and rupture beyond every gap of the mix.
+inline void for_bridge(Dry<double>&) {}
+inline void for_bridge(SuctionBridge<double>& bridge) { bridge.suction = 200e3; }
+template <template <class> class ForceRule, Wets wets>
+void for_bridge(CapillaryBridge<double, ForceRule, wets>& bridge) {
+  bridge = CapillaryBridge<double, ForceRule, wets>::of(0.072, 0.35, 1e-10);
 }
 
 /// Any composition, with the memo's granite for its parameters (and the paper's ballast where it is rough).
@@ -78,7 +87,7 @@ Law granite() {
   if constexpr (std::is_same_v<Normal, Jkr<double>>) law.normal.work_of_adhesion = 0.1;
   if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = 0.07;
   if constexpr (decltype(Law::shear)::acts) law.shear.friction = 0.4;
-  if constexpr (decltype(Law::bridge)::acts) law.bridge.suction = 200e3;
+  for_bridge(law.bridge);
   if constexpr (decltype(Law::rolling)::acts) law.rolling.rolling_friction = 0.1;
   return checked(law);
 }

@@ -34,6 +34,7 @@ if [ $wrong -gt 1 ]; then exit $wrong; fi  # a fault, or stopped
 # shellcheck disable=SC2086
 build/examples/bin/probe build/results $full || wrong=$?
 if [ $wrong -gt 1 ]; then exit $wrong; fi
+build/examples/bin/bridge_curves build/results
 
 # The first Python that has matplotlib: Debian's package serves /usr/bin/python3, which need not be the first on the path.
 for python in python3 /usr/bin/python3; do
@@ -43,6 +44,7 @@ done
 "$python" examples/memo/class5/figures.py build/results
 "$python" examples/ballast/figures.py build/results
 "$python" examples/ballast/probe/figures.py build/results
+"$python" examples/capillary/figures.py build/results
 
 example=examples/contact_path
 mkdir -p build/results/contact_path

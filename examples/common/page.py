@@ -23,7 +23,7 @@ plt.rcParams.update({
     "legend.frameon": False, "legend.fontsize": 8, "mathtext.default": "regular", "figure.constrained_layout.use": True,
 })
 
-SECTIONS = ["memo", "class5", "ballast", "probe"]  # in the order of the page
+SECTIONS = ["memo", "class5", "ballast", "capillary", "probe"]  # in the order of the page
 NUMBERS = ["expected", "computed", "relative_error", "tolerance"]
 
 PAGE = """<!doctype html>

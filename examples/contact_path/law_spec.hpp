@@ -142,6 +142,16 @@ Entry<AdhesiveLaw<Law, own>> adhesive_law(const std::string& name, const std::st
            {}},
           {}};
 }
+/// Of the force rules only the exact one, of the two ways of wetting only the host's: each type of a bridge compiles anew
+/// beside each type of every other slot.
+struct CapillaryLaw {
+  template <class T, class Use>
+  auto operator()(const Given<T>& given, const Use& use) const {
+    CapillaryBridge<T> bridge = checked(given.chosen.template filled<T>(CapillaryBridge<T>{}));
+    bridge.prepare();
+    return use(bridge);
+  }
+};
 
 struct DashpotsLaw {
   template <class T, class Use>
@@ -268,7 +278,15 @@ inline const auto& bridge_laws() {
   static const std::tuple laws{
       law<Dry>("none", "dry"),
       law<SuctionBridge>("suction", "F = psi pi R_o^2 exp(-gap / (decay_length R_o)), until the gap is rupture_gap R_o",
-                         {"min_radius"}, {{"wet", "whether the contact is wet before the first step"}})};
+                         {"min_radius"}, {{"wet", "whether the contact is wet before the first step"}}),
+      Entry<CapillaryLaw>{{"capillary",
+                           "a bridge of a given volume, the exact force; while touching that at gap 0",
+                           {"effective_radius"},
+                           number_keys<CapillaryBridge<double>>(),
+                           {},
+                           {{"wet", "whether the contact is wet before the first step"}},
+                           {}},
+                          {}}};
   return laws;
 }
 

@@ -10,6 +10,7 @@
 // use set_parameter(properties, "friction", 0.4).
 #pragma once
 
+#include "contactlaws/bridge/capillary_bridge.hpp"
 #include "contactlaws/contact_law.hpp"
 #include "contactlaws/core/validate.hpp"
 #include "contactlaws/normal/dmt.hpp"
@@ -56,6 +57,12 @@ using PlasticGrains = ContactLaw<ThorntonNing<T>, NoDashpots<T>, ShearForce<T>>;
 template <class T, Tension tension = Tension::allowed>
 using CohesivePowder = ContactLaw<Jkr<T>, Dashpots<T, tension>, ShearForce<T>, Dry<T>, RollingSpring<T>>;
 
+/// Wet grains: DryHill, whose dashpots do not pull, and a liquid bridge of a given volume, by default formed where grains touch.
+/// State: the shear force, the volume of the bridge and what ruptured bridges returned.
+template <class T, template <class> class ForceRule = YoungLaplace, Wets wets = Wets::at_touch>
+using WetGrains =
+    ContactLaw<Hertz<T>, Dashpots<T, Tension::clipped>, ShearForce<T>, CapillaryBridge<T, ForceRule, wets>>;
+
 /// First member of the properties: a list of numbers in braces does not compile, so none can land in the wrong place.
 struct ByName {
   explicit ByName() = default;
@@ -86,6 +93,25 @@ struct HillProperties {
     return {{{"friction", "1", &HillProperties::friction, Range::any()},
              {"suction", "Pa", &HillProperties::suction, Range::any()},
              {"damping_constant", "1", &HillProperties::damping_constant, Range::any()}}};
+  }
+};
+
+template <class T>
+struct WetGrainsProperties {
+  ByName by_name = ByName();
+  T friction = T(0);          ///< mu [1]
+  T damping_constant = T(0);  ///< alpha [1]; from a coefficient of restitution: damping_constant()
+  T surface_tension = T(0);   ///< gamma [N/m]
+  T contact_angle = T(0);     ///< theta [rad]
+  T bridge_volume = T(0);     ///< of each new bridge [m^3]
+
+  static constexpr const char* name = "WetGrainsProperties";
+  static constexpr std::array<Parameter<WetGrainsProperties, T>, 5> parameters() {
+    return {{{"friction", "1", &WetGrainsProperties::friction, Range::any()},
+             {"damping_constant", "1", &WetGrainsProperties::damping_constant, Range::any()},
+             {"surface_tension", "N/m", &WetGrainsProperties::surface_tension, Range::any()},
+             {"contact_angle", "rad", &WetGrainsProperties::contact_angle, Range::any()},
+             {"bridge_volume", "m^3", &WetGrainsProperties::bridge_volume, Range::any()}}};
   }
 };
 
@@ -188,6 +214,19 @@ Hill<T, tension> hill(const HillProperties<T>& properties) {
   law.shear.friction = properties.friction;
   law.bridge.suction = properties.suction;
   return checked(law);
+}
+
+template <template <class> class ForceRule = YoungLaplace, Wets wets = Wets::at_touch, class T>
+WetGrains<T, ForceRule, wets> wet_grains(const WetGrainsProperties<T>& properties) {
+  WetGrains<T, ForceRule, wets> law;
+  law.damping.damping_constant = properties.damping_constant;
+  law.shear.friction = properties.friction;
+  law.bridge.surface_tension = properties.surface_tension;
+  law.bridge.contact_angle = properties.contact_angle;
+  law.bridge.bridge_volume = properties.bridge_volume;
+  law = checked(law);
+  law.bridge.prepare();
+  return law;
 }
 
 template <class T>

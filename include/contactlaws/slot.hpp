@@ -21,7 +21,8 @@
 // Every slot but the normal one has `static constexpr bool acts`: false for the empty slots (NoDashpots, Frictionless, Dry,
 // NoRolling), which cost no byte, no operation and no parameter.
 //
-// A slot holds parameters. What it stores per contact is its nested State: values of T only, new when all are zero, listed
+// A slot holds parameters. Numbers that follow from them at a cost it may keep beside them: cast() calls its prepare().
+// What it stores per contact is its nested State: values of T only, new when all are zero, listed
 // by state_values(). respond() receives a copy of the state and updates it.
 //
 // A pushing normal law receives max(overlap, 0); at 0 the response is zero. A normal law that pulls declares

@@ -27,6 +27,8 @@ inline void draw_parameters(test::ErasedLaw<double>& law, Bytes& bytes) {
       value = bytes.magnitude(-10, 60);
     } else if (p.unit == "N/m") {
       value = bytes.magnitude(-20, 60);
+    } else if (p.unit == "m^3") {
+      value = bytes.magnitude(-160, 60);
     } else if (p.unit == "m") {
       value = bytes.magnitude(-60, -1);
     } else if (p.unit == "N") {

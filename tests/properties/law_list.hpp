@@ -29,6 +29,9 @@ struct Slots {
   Frictionless<T> smooth;
   Dry<T> dry;
   SuctionBridge<T> wet{2e5, 2.0, 2.0};
+  CapillaryBridge<T> capillary = CapillaryBridge<T>::of(0.072, 0.5, 1e-9);
+  CapillaryBridge<T, WillettClosed> willett = CapillaryBridge<T, WillettClosed>::of(0.072, 0.2, 1e-10);
+  CapillaryBridge<T, Rabinovich> rabinovich = CapillaryBridge<T, Rabinovich>::of(0.072, 0.2, 1e-10);
   Mindlin<T> mindlin;
   ConstantRatio<T> ratio{0.6};
   ElasticRatio<T> elastic_ratio{0.6};
@@ -56,6 +59,7 @@ void visit_each_slot(const Visit& visit) {
   visit("Rough same spot", 5,
         compose(PohrtPopovElastoPlastic<T, Recontact::same_spot>::of(s.ballast), s.normal_only,
                 ShearForceRescaled<T, ElasticRatio<T>>{s.elastic_ratio, 0.5}, s.dry));
+  visit("Hertz capillary", 2, compose(s.hertz, s.clipped, s.smooth, s.capillary));
   visit("Dmt", 3, compose(Dmt<T>{0.05}, s.two_constants, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("ThorntonNing", 4, compose(ThorntonNing<T>{3e8}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("CohesivePowder", 7, compose(Jkr<T>{0.5}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
@@ -86,6 +90,9 @@ void visit_laws(const Visit& visit) {
   visit("Jkr wet", 2, compose(Jkr<T>{0.5}, s.undamped, s.smooth, s.wet));
   visit("Hertz damped", 0, compose(s.hertz, s.damped, s.smooth, s.dry));
   visit("Hertz wet", 1, compose(s.hertz, s.undamped, s.smooth, s.wet));
+  visit("WetGrains by host", 5, compose(s.hertz, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.capillary));
+  visit("Hertz Willett", 2, compose(s.hertz, s.undamped, s.smooth, s.willett));
+  visit("Hertz Rabinovich", 2, compose(s.hertz, s.undamped, s.smooth, s.rabinovich));
   visit("Linear damped wet", 1, compose(s.modulus, s.clipped, s.smooth, s.wet));
   visit("Force Project", 3, compose(s.hertz, s.undamped, ShearForce<T, Mindlin<T>, Project<T>>{s.mindlin, 0.5}, s.dry));
   visit("Force Rotate", 7, compose(s.hertz, s.damped, ShearForce<T, Mindlin<T>, Rotate<T>>{s.mindlin, 0.5}, s.wet));

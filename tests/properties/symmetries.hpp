@@ -118,8 +118,9 @@ struct Units {
 
   Wide<T> factor(const std::string& unit) const {
     const Wide<T> force = mass * length / (time * time);
-    if (unit == "1") return Wide<T>(1);
+    if (unit == "1" || unit == "rad") return Wide<T>(1);
     if (unit == "m") return length;
+    if (unit == "m^3") return length * length * length;
     if (unit == "N") return force;
     if (unit == "N m") return force * length;
     if (unit == "J/m^2") return force / length;

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "contactlaws/core/scalar.hpp"
 
@@ -71,13 +73,24 @@ constexpr std::array<Parameter<Owner, T>, N> inherited(const std::array<Paramete
   return all;
 }
 
-/// The same slot of a law on another scalar, each parameter converted by `convert`.
+namespace detail {
+/// Whether a slot on a scalar that computes (a Column of a batch does not) has numbers that follow from its parameters.
+template <class Slot, class U, class = void>
+inline constexpr bool prepares = false;
+template <class Slot, class U>
+inline constexpr bool prepares<Slot, U, std::void_t<decltype(std::declval<Slot&>().prepare()), decltype(U(0) * U(0))>> =
+    true;
+}  // namespace detail
+
+/// The same slot of a law on another scalar, each parameter converted by `convert`. A slot that derives numbers from its
+/// parameters does so in prepare().
 template <class U, class Slot, class Convert>
 CONTACTLAWS_HD typename Slot::template Rebind<U> slot_cast(const Slot& slot, const Convert& convert) {
   typename Slot::template Rebind<U> result;
   const auto from = Slot::parameters();
   const auto to = Slot::template Rebind<U>::parameters();
   for (std::size_t i = 0; i < from.size(); ++i) result.*(to[i].member) = convert(slot.*(from[i].member));
+  if constexpr (detail::prepares<typename Slot::template Rebind<U>, U>) result.prepare();
   return result;
 }
 

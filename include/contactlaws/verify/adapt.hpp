@@ -82,6 +82,7 @@ struct Adapted {
   static double factor(const Units& units, const std::string& unit) {
     if (unit == "1" || unit == "rad") return 1.0;
     if (unit == "m") return units.length;
+    if (unit == "m^3") return units.length * units.length * units.length;
     if (unit == "N") return units.force();
     if (unit == "N m") return units.force() * units.length;
     if (unit == "N/m" || unit == "J/m^2") return units.stiffness();
