@@ -155,7 +155,14 @@ TEST_CASE("Fault: the interaction range of a law ends at touch") {
   const PairProperties<double> pair = granite_pair<double>();
   visit_laws([&pair](const char* name, std::size_t, const auto& law) {
     INFO(name);
-    double range = has_bridge<std::decay_t<decltype(law)>> ? 0.01 : 0.0;
+    using Bridge = std::decay_t<decltype(law.bridge)>;
+    double range = 0.0;
+    if constexpr (std::is_same_v<Bridge, SuctionBridge<double>>) {
+      range = 0.01;  // 2 R_o
+    } else if constexpr (Bridge::acts) {
+      range = law.bridge.range(pair);  // its rupture gap: test_capillary_bridge
+      CHECK(range > 0.0);
+    }
     if constexpr (std::decay_t<decltype(law)>::adheres) range = std::max(range, law.normal.range(pair));
     CHECK(law.interaction_range(pair) == range);
   });

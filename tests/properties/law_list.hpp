@@ -61,7 +61,7 @@ void visit_each_slot(const Visit& visit) {
                 ShearForceRescaled<T, ElasticRatio<T>>{s.elastic_ratio, 0.5}, s.dry));
   visit("Hertz capillary", 2, compose(s.hertz, s.clipped, s.smooth, s.capillary));
   visit("Dmt", 3, compose(Dmt<T>{0.05}, s.two_constants, ShearForce<T>{s.mindlin, 0.4}, s.dry));
-  visit("ThorntonNing", 4, compose(ThorntonNing<T>{3e8}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry));
+  visit("ThorntonNing", 4, compose(ThorntonNing<T>{3e8}, s.undamped, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("CohesivePowder", 7, compose(Jkr<T>{0.5}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit("Hertz rolling", 6, compose(s.hertz, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit(
