@@ -223,13 +223,13 @@ inline const auto& normal_laws() {
            Spring::linear},
           {}},
       law<Hertz>("hertz", "F = 4/3 E* sqrt(R*) o^(3/2)", {"effective_radius", "effective_young"}, {}, Spring::hertz),
-      law<ThorntonNing>("thornton_ning",
-                        "hertz up to the yield pressure, linear beyond; unloading with a flattened radius",
-                        {"effective_radius", "effective_young"}),
       adhesive_law<Dmt, AdhesiveFriction::thornton_dmt>("dmt",
                                                         "hertz less the constant pull 2 pi w R* while it touches"),
       adhesive_law<Jkr, AdhesiveFriction::thornton_jkr>(
           "jkr", "adhesion of soft spheres: touches at o = 0, pulls 3/2 pi w R* at most, lets go beyond touch"),
+      law<ThorntonNing>("thornton_ning",
+                        "hertz up to the yield pressure, linear beyond; unloading with a flattened radius",
+                        {"effective_radius", "effective_young"}),
       rough_law<PohrtPopov>("pohrt_popov", "rough surfaces, elastic"),
       rough_law<RoughFresh, RoughSameSpot>(
           "pohrt_popov_elasto_plastic", "rough surfaces that flatten: unloading along Hertz's curve, in closed form",

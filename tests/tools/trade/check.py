@@ -250,9 +250,9 @@ def faults(directory):
     for tolerance in ("nan", "-1", "0", "inf", "1e-3x"):
         code, out, error = run("--replay", directory / "recording.csv", "--law", LAWS / "hill.toml", "--tolerance", tolerance)
         check(f"a tolerance of {tolerance} is refused", code == 2 and "--tolerance" in error and out == "", out + error)
-    bad.write_text('normal = "jkr"\n')
+    bad.write_text('normal = "jrk"\n')
     code, out, error = run("--replay", directory / "recording.csv", "--law", bad)
-    check("an unknown normal law is refused", code == 2 and "jkr" in error and "hertz" in error, error)
+    check("an unknown normal law is refused", code == 2 and "jrk" in error and "hertz" in error, error)
     for key in ("static_friction = 0.5", 'stiffness = "elastic_ratio"'):
         bad.write_text((LAWS / "dry_hill.toml").read_text().replace("friction = 0.4", "friction = 0.4\n" + key))
         code, out, error = run("--replay", directory / "recording.csv", "--law", bad)
