@@ -131,13 +131,9 @@ struct YoungLaplace {
   Polynomials polynomials;
 };
 
-/// A closed form fitted to perfectly wetting bridges.
+/// What the closed forms share: cos(angle) at touch, and the rupture gap of Lian, Thornton & Adams (1993).
 template <class T>
-struct WillettClosed {
-  template <class U>
-  using Rebind = WillettClosed<U>;
-  static constexpr const char* name = "WillettClosed";
-
+struct ClosedBridgeForce {
   CONTACTLAWS_HD void prepare(const T& angle) noexcept {
     using std::cos;
     prepared_angle = angle;
@@ -148,10 +144,22 @@ struct WillettClosed {
     return detail::ruptures_by_lian<T>(prepared_angle, q, gap, length);
   }
   CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine; }
+
+ protected:
+  T prepared_angle = T(0), cosine = T(1);
+};
+
+/// A closed form fitted to perfectly wetting bridges.
+template <class T>
+struct WillettClosed : ClosedBridgeForce<T> {
+  template <class U>
+  using Rebind = WillettClosed<U>;
+  static constexpr const char* name = "WillettClosed";
+
   CONTACTLAWS_HD T force(const T&, const T& gap, const T& length) const noexcept {
     const T s = detail::bridge_scale<T>() * gap;  // times length
     const T square = length * length;
-    return cosine * square / T(square + s * (scalar_cast<T>(1.05) * length + scalar_cast<T>(2.5) * s));
+    return this->cosine * square / T(square + s * (scalar_cast<T>(1.05) * length + scalar_cast<T>(2.5) * s));
   }
   /// The integral of 1/(1 + b s + c s^2) is 2/d artan((2 c s + b)/d), d^2 = 4 c - b^2.
   CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap, const T& length) const noexcept {
@@ -162,40 +170,25 @@ struct WillettClosed {
       const T u = T(scalar_cast<T>(5.0) * T(detail::bridge_scale<T>() * at) + scalar_cast<T>(1.05)) / d;
       return T(asin(T(u / T(sqrt(T(T(1) + u * u))))));  // artan u
     };
-    return cosine * T(2) / T(d * detail::bridge_scale<T>()) * T(angle_at(rupture(q)) - angle_at(T(gap / length)));
+    return this->cosine * T(2) / T(d * detail::bridge_scale<T>()) *
+           T(angle_at(this->rupture(q)) - angle_at(T(gap / length)));
   }
-
- private:
-  T prepared_angle = T(0), cosine = T(1);
 };
 
 /// The limit of small volumes.
 template <class T>
-struct Rabinovich {
+struct Rabinovich : ClosedBridgeForce<T> {
   template <class U>
   using Rebind = Rabinovich<U>;
   static constexpr const char* name = "Rabinovich";
 
-  CONTACTLAWS_HD void prepare(const T& angle) noexcept {
-    using std::cos;
-    prepared_angle = angle;
-    cosine = cos(angle);
-  }
-  CONTACTLAWS_HD T rupture(const T& q) const noexcept { return detail::rupture_of_lian<T>(prepared_angle, q); }
-  CONTACTLAWS_HD Mask<T> is_ruptured(const T& q, const T& gap, const T& length) const noexcept {
-    return detail::ruptures_by_lian<T>(prepared_angle, q, gap, length);
-  }
-  CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine; }
   CONTACTLAWS_HD T force(const T&, const T& gap, const T& length) const noexcept {
-    return cosine * detail::BridgeOpening<T>::of(gap, length).limit;
+    return this->cosine * detail::BridgeOpening<T>::of(gap, length).limit;
   }
   CONTACTLAWS_HD T work_to_rupture(const T& q, const T& gap, const T& length) const noexcept {
     using Opening = detail::BridgeOpening<T>;
-    return cosine * T(Opening::of(gap, length).e - Opening::of(rupture(q), T(1)).e);
+    return this->cosine * T(Opening::of(gap, length).e - Opening::of(this->rupture(q), T(1)).e);
   }
-
- private:
-  T prepared_angle = T(0), cosine = T(1);
 };
 
 }  // namespace contactlaws
