@@ -64,7 +64,7 @@ TEST_CASE("grains have the sieve curve and the volume that were asked for") {
   SampleSize size;
   size.diameter = 0.3;
   size.height = 0.45;
-  Draw draw(3);
+  Random draw(3);
   const std::vector<Grain> grains = draw_grains(size, shapes(), draw);
   CHECK(grains.size() > 650);  // the paper has 747
   CHECK(grains.size() < 850);

@@ -9,10 +9,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <stdexcept>
 
 #include "common/progress.hpp"
+#include "common/random.hpp"
 #include "dem/checkpoint.hpp"
 #include "dem/clump_measures.hpp"
 #include "laws.hpp"
@@ -21,6 +21,8 @@
 #include "vessel.hpp"
 
 namespace probe {
+
+using common::Random;
 
 struct Grain {
   std::size_t shape;  ///< index in unit_clumps()
@@ -54,28 +56,18 @@ inline void from_json(const nlohmann::json& json, Grain& grain) {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sample, radius, height, grains)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SampleSize, diameter, height, voids_ratio, seed)
 
-/// Random numbers that are the same on every machine.
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
-  }
-  /// Uniform over all orientations (Shoemake 1992).
-  Eigen::Quaterniond orientation() {
-    const double pi = contactlaws::pi<double>();
-    const double u = uniform(0.0, 1.0), v = uniform(0.0, 2.0 * pi), w = uniform(0.0, 2.0 * pi);
-    const double a = std::sqrt(1.0 - u), b = std::sqrt(u);
-    return {b * std::cos(w), a * std::sin(v), a * std::cos(v), b * std::sin(w)};
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
+/// Uniform over all orientations (Shoemake 1992).
+inline Eigen::Quaterniond random_orientation(Random& random) {
+  const double pi = contactlaws::pi<double>();
+  const double u = random.uniform(0.0, 1.0), v = random.uniform(0.0, 2.0 * pi), w = random.uniform(0.0, 2.0 * pi);
+  const double a = std::sqrt(1.0 - u), b = std::sqrt(u);
+  return {b * std::cos(w), a * std::sin(v), a * std::cos(v), b * std::sin(w)};
+}
 
 /// Grains whose volume fills the vessel at the voids ratio. Each new one is of the sieve class that lacks most; the shapes take
 /// turns. At the end all sizes are scaled by a little, so that the volume is exact.
-inline std::vector<Grain> draw_grains(const SampleSize& size, const std::vector<dem::ClumpShape>& shapes, Draw& draw) {
+inline std::vector<Grain> draw_grains(const SampleSize& size, const std::vector<dem::ClumpShape>& shapes,
+                                      Random& draw) {
   const double wanted =
       contactlaws::pi<double>() / 4.0 * size.diameter * size.diameter * size.height / (1.0 + size.voids_ratio);
   std::array<double, ballast_sizes.size()> lacking{};
@@ -97,7 +89,7 @@ inline std::vector<Grain> draw_grains(const SampleSize& size, const std::vector<
 
 /// Random places, apart from each other, in a vessel of this radius and height [m]; the largest first.
 inline void scatter(std::vector<Grain>& grains, const std::vector<dem::ClumpShape>& shapes, double radius,
-                    double height, Draw& draw) {
+                    double height, Random& draw) {
   std::sort(grains.begin(), grains.end(), [](const Grain& a, const Grain& b) { return a.size > b.size; });
   const auto reach = [&shapes](const Grain& grain) { return shapes[grain.shape].reach * grain.size; };
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -115,7 +107,7 @@ inline void scatter(std::vector<Grain>& grains, const std::vector<dem::ClumpShap
           }))
         break;
     }
-    grain.orientation = draw.orientation();
+    grain.orientation = random_orientation(draw);
   }
 }
 
@@ -216,7 +208,7 @@ inline double nominal_stiffness(double pressure) {
 }
 
 inline Sample make_sample(const SampleSize& size, const std::vector<dem::ClumpShape>& shapes) {
-  Draw draw(size.seed);
+  Random draw(size.seed);
   Sample sample{size.diameter / 2.0, size.height, draw_grains(size, shapes, draw)};
   constexpr double start = 2.0;  // bounding spheres then fill a quarter of the vessel
   scatter(sample.grains, shapes, start * sample.radius, start * sample.height, draw);

@@ -2,26 +2,15 @@
 // The two grain-size distributions of the Class 5 materials (Potyondy 2019, Table 7), and random grains drawn from them.
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-#include <random>
-#include <string>
 #include <vector>
+
+#include "common/random.hpp"
 
 namespace class5 {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Random numbers in [0, 1) that are the same with every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * (*this)(); }
-
- private:
-  std::mt19937_64 engine_;
-};
+using common::Random;
 
 struct SizeClass {
   double low, high;  ///< diameters [m]
@@ -41,7 +30,7 @@ inline std::vector<double> draw_radii(const Grading& grading, double volume, Ran
   for (const SizeClass& size : grading) {
     target += size.share * volume;
     while (true) {
-      const double radius = random.between(size.low, size.high) / 2.0;
+      const double radius = random.uniform(size.low, size.high) / 2.0;
       const double grain = 4.0 / 3.0 * pi * radius * radius * radius;
       if (filled + grain / 2.0 > target) break;
       radii.push_back(radius);

@@ -35,10 +35,11 @@ inline std::vector<Grain> cloud(const PackingSettings& settings) {
   const Grading& grading = settings.grading == "narrow" ? narrow : broad;
   std::vector<Grain> grains;
   for (const double radius : draw_radii(grading, (1.0 - settings.cloud_porosity) * size.volume(), random)) {
-    const double distance = (size.radius - radius) * std::sqrt(random()), angle = random.between(0.0, 2.0 * pi);
+    const double distance = (size.radius - radius) * std::sqrt(random.uniform(0.0, 1.0)),
+                 angle = random.uniform(0.0, 2.0 * pi);
     const double half = size.height / 2.0 - radius;
     grains.push_back(
-        {radius, Vec3(distance * std::cos(angle), distance * std::sin(angle), random.between(-half, half))});
+        {radius, Vec3(distance * std::cos(angle), distance * std::sin(angle), random.uniform(-half, half))});
   }
   sort_in_space(grains);
   return grains;
