@@ -27,10 +27,12 @@ struct BallMotion {
     const std::array<T, 4> place1 = rows<T>(balls.position, one), place2 = rows<T>(balls.position, two);
     const contactlaws::BodyMotion<T> body1 = body<T>(place1, one), body2 = body<T>(place2, two);
     const T &radius1 = place1[3], &radius2 = place2[3];
-    const auto geometry = contactlaws::sphere_sphere<T>(body1.position, radius1, body2.position, radius2);
-    const auto half_a_step_ago = contactlaws::contact_kinematics<T>(geometry, body1, body2, T(dt));
     const contactlaws::Vec3<T> centres = body2.velocity - body1.velocity;
-    return {geometry, contactlaws::at_full_step<T>(half_a_step_ago, centres, T(radius1 + radius2 - geometry.overlap))};
+    const ContactMotion<T> moved{
+        contactlaws::sphere_sphere<T>(body1.position, radius1, body2.position, radius2),
+        contactlaws::at_full_step<T>(contactlaws::contact_kinematics<T>(moved.geometry, body1, body2, T(dt)), centres,
+                                     T(radius1 + radius2 - moved.geometry.overlap))};
+    return moved;
   }
 
  private:

@@ -3,7 +3,7 @@
 //
 //   gather   geometry and motion of each contact from its two bodies      (contact_motion.hpp)
 //   law      contactlaws::evaluate, from histories to new histories        (contactlaws/batch.hpp)
-//   scatter  force and torques of each contact; each body sums its own    add_first(), add_second()
+//   scatter  force and moment of each contact; each body sums its own     add_first(), add_second()
 //
 // One column per quantity, so that a pack of contacts is evaluated at once. Contacts are sorted by the ids of their bodies and
 // each body sums in that order, so no result depends on when neighbours were listed or on the number of threads.
@@ -29,8 +29,8 @@ using Pack = contactlaws::PackOf<double>::type;
 
 /// What the law needs of a contact (or a pack of contacts), and its geometry.
 template <class T>
-struct Input : contactlaws::ContactInput<T> {
-  contactlaws::ContactGeometry<T> geometry;
+struct Input : ContactMotion<T> {
+  contactlaws::PairProperties<T> pair;
 };
 
 /// A contact at one step.
@@ -77,12 +77,13 @@ class Contacts {
   using State = typename Law::State;
   using History = PairHistory<State>;
   static constexpr std::size_t lanes = contactlaws::ScalarTraits<PackT>::lanes;
+  static constexpr bool rolls = decltype(Law::rolling)::acts;
 
   std::vector<Pair> bodies;  ///< of each contact
   // As long as whole packs: rows beyond size() are not read.
-  std::vector<Row> force;    ///< on body 2 [N]
-  std::vector<Row> torque1;  ///< on body 1, about its centre [N m]
-  std::vector<Row> torque2;  ///< on body 2, about its centre [N m]
+  std::vector<Row> force;    ///< on body 2 [N]; w is the arm of body 1, along the normal [m]
+  std::vector<Row> turning;  ///< normal x force [N]; w is the arm of body 2, against the normal [m]
+  std::vector<Row> couple;   ///< on body 2 [N m], of a law with a rolling slot
 
   std::size_t size() const { return size_; }
   std::size_t first(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].first); }
@@ -163,18 +164,16 @@ class Contacts {
   /// Evaluates contacts `first` (a multiple of the lanes) to before `last`: forces, torques and new histories.
   template <class Motion>
   void evaluate(const Law& law, const Motion& motion, std::size_t first, std::size_t last) {
-    using PackVec = contactlaws::Vec3<PackT>;
     const Pairs all_pairs = pairs();
-    const auto gather = [&](const auto& range) { return input<PackT>(motion, all_pairs, range); };
-    const auto scatter = [this](const auto& range, const Input<PackT>& in, const auto& step) {
-      PackVec on_first = step.force.cross(in.geometry.arm1), on_second = in.geometry.arm2.cross(step.force);
-      if constexpr (decltype(Law::rolling)::acts) {
-        on_first -= step.couple;
-        on_second += step.couple;
-      }
-      store(force, range.first(), step.force);
-      store(torque1, range.first(), on_first);
-      store(torque2, range.first(), on_second);
+    const auto gather = [&](const auto& range)
+                            CONTACTLAWS_INLINE_LAMBDA { return input<PackT>(motion, all_pairs, range); };
+    const auto scatter = [this](const auto& range, const Input<PackT>& in, const auto& step) CONTACTLAWS_INLINE_LAMBDA {
+      const contactlaws::Vec3<PackT>& normal = in.geometry.normal;
+      const PackT arm1 = contactlaws::dot<PackT>(in.geometry.arm1, normal),
+                  arm2 = contactlaws::dot<PackT>(in.geometry.arm2, normal);
+      store(force, range.first(), step.force, arm1);
+      store(turning, range.first(), normal.cross(step.force), PackT(-arm2));
+      if constexpr (rolls) store(couple, range.first(), step.couple, PackT(0.0));
     };
     std::array<const double*, Law::state_size> before;
     std::array<double*, Law::state_size> after;
@@ -192,19 +191,22 @@ class Contacts {
     return {in.geometry, in.kinematics, law.step(in.pair, in.kinematics, state_at(before_, contact))};
   }
 
-  /// Adds the forces and torques of the contacts of which `body` is the first, or the second.
+  /// Adds the forces and torques of the contacts of which `body` is the first, or the second: a sphere, whose arm lies along the
+  /// normal. The fourth numbers of the sums have no meaning.
   void add_first(std::size_t body, Load& load) const {
     for (int k = of_first_.start[body]; k < of_first_.start[body + 1]; ++k) {
       const auto c = static_cast<std::size_t>(k);  // contacts are sorted by their first body
       load.force -= force[c].all();
-      load.torque += torque1[c].all();
+      load.torque -= turning[c].all() * force[c].w;
+      if constexpr (rolls) load.torque -= couple[c].all();
     }
   }
   void add_second(std::size_t body, Load& load) const {
     for (int k = of_second_.start[body]; k < of_second_.start[body + 1]; ++k) {
       const auto c = static_cast<std::size_t>(of_second_.contacts[static_cast<std::size_t>(k)]);
       load.force += force[c].all();
-      load.torque += torque2[c].all();
+      load.torque -= turning[c].all() * turning[c].w;
+      if constexpr (rolls) load.torque += couple[c].all();
     }
   }
 
@@ -250,7 +252,8 @@ class Contacts {
     for (Columns* history : {&before_, &now_})
       for (std::vector<double>& column : *history) column.resize(size_);
     const std::size_t whole_packs = (size_ + lanes - 1) / lanes * lanes;
-    for (std::vector<Row>* rows : {&force, &torque1, &torque2}) rows->resize(whole_packs);
+    for (std::vector<Row>* rows : {&force, &turning}) rows->resize(whole_packs);
+    if constexpr (rolls) couple.resize(whole_packs);
   }
 
   Pairs pairs() const {
@@ -264,8 +267,9 @@ class Contacts {
     return Law::load(values.data());
   }
 
-  CONTACTLAWS_HD static void store(std::vector<Row>& rows, std::size_t first, const contactlaws::Vec3<PackT>& v) {
-    contactlaws::store_rows<PackT>(rows[first].data(), {v.x(), v.y(), v.z(), PackT(0.0)});
+  CONTACTLAWS_HD static void store(std::vector<Row>& rows, std::size_t first, const contactlaws::Vec3<PackT>& v,
+                                   const PackT& w) {
+    contactlaws::store_rows<PackT>(rows[first].data(), {v.x(), v.y(), v.z(), w});
   }
 
   /// Input of the law for the contacts of a range.
@@ -276,9 +280,9 @@ class Contacts {
       one[l] = first(range[l]);
       two[l] = second(range[l]);
     }
-    const ContactMotion<T> moved = motion.template at<T>(one, two);
-    return {{all_pairs.template map<T>([&range](const auto& column) { return range.load(column); }), moved.kinematics},
-            moved.geometry};
+    return {motion.template at<T>(one, two),
+            all_pairs.template map<T>([&range](const auto& column)
+                                          CONTACTLAWS_INLINE_LAMBDA { return range.load(column); })};
   }
 };
 

@@ -126,12 +126,8 @@ class Simulation {
   template <class Vector>
   Vector damped(const Vector& load, const Vector& velocity) const {
     if (!(local_damping > 0.0)) return load;
-    Vector left = load;
-    for (int i = 0; i < 3; ++i) {
-      if (velocity[i] > 0.0) left[i] -= local_damping * std::abs(load[i]);
-      if (velocity[i] < 0.0) left[i] += local_damping * std::abs(load[i]);
-    }
-    return left;
+    const auto sign = (velocity.array() * 1e308).max(-1.0).min(1.0);  // without a branch
+    return load.array() - local_damping * load.array().abs() * sign;
   }
 
   /// How far a body may move before neighbours are listed anew [m].
@@ -277,8 +273,8 @@ class Simulation {
         ball_contacts.add_second(b, load);  // the other ball has the lower id: in the order of the list
         ball_contacts.add_first(b, load);
         wall_contacts.add_second(b, load);
-        balls.force[b].all() = load.force;
-        balls.torque[b].all() = load.torque;
+        balls.force[b] = load.force.head<3>();
+        balls.torque[b] = load.torque.head<3>();
       }
     });
     for (std::size_t w = 0; w < walls.size(); ++w) {

@@ -147,8 +147,9 @@ struct BatchGather {
 
   template <class Range>
   CONTACTLAWS_HD ContactInput<Pack> operator()(const Range& range) const noexcept {
-    const auto column = [&range](const auto& c) { return range.load(c); };
-    const auto vector = [&column](const auto& c) { return Vec3<Pack>(column(c[0]), column(c[1]), column(c[2])); };
+    const auto column = [&range](const auto& c) CONTACTLAWS_INLINE_LAMBDA { return range.load(c); };
+    const auto vector = [&column](const auto& c)
+                            CONTACTLAWS_INLINE_LAMBDA { return Vec3<Pack>(column(c[0]), column(c[1]), column(c[2])); };
     ContactInput<Pack> input{batch.pair.template map<Pack>(column),
                              {vector(batch.normal), column(batch.overlap), vector(batch.velocity), column(batch.dt),
                               column(batch.normal_spin)}};
@@ -175,7 +176,7 @@ template <class Law, class Pack, class LawOf>
 CONTACTLAWS_HD void step_batch(const LawOf& law_of, const ContactBatch<Law>& batch) noexcept {
   const BatchGather<Law, Pack> gather{batch};
   const BatchScatter<Law> scatter{batch};
-  for_each_pack<Pack>(0, batch.count, [&](const auto& range) {
+  for_each_pack<Pack>(0, batch.count, [&](const auto& range) CONTACTLAWS_INLINE_LAMBDA {
     step_pack<Law, Pack>(law_of(range), range, batch.state, batch.next, gather, scatter);
   });
 }
@@ -196,7 +197,9 @@ template <class Law, class Pack = typename PackOf<typename Law::Scalar>::type>
 CONTACTLAWS_FLATTEN void evaluate(const typename Law::template Rebind<Column<typename Law::Scalar>>& law,
                                   const ContactBatch<Law>& batch) noexcept {
   detail::step_batch<Law, Pack>(
-      [&law](const auto& range) { return law.template cast<Pack>([&range](const auto& c) { return range.load(c); }); },
+      [&law](const auto& range) {
+        return law.template cast<Pack>([&range](const auto& c) CONTACTLAWS_INLINE_LAMBDA { return range.load(c); });
+      },
       batch);
 }
 
@@ -213,7 +216,7 @@ CONTACTLAWS_FLATTEN void evaluate(const Law& law, std::size_t first, std::size_t
                                   const std::array<typename Law::Scalar*, Law::state_size>& next, const Gather& gather,
                                   const Scatter& scatter) noexcept {
   const auto pack_law = law.template cast<Pack>();
-  detail::for_each_pack<Pack>(first, last, [&](const auto& range) {
+  detail::for_each_pack<Pack>(first, last, [&](const auto& range) CONTACTLAWS_INLINE_LAMBDA {
     detail::step_pack<Law, Pack>(pack_law, range, state, next, gather, scatter);
   });
 }

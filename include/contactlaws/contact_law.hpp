@@ -16,7 +16,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <tuple>
 #include <type_traits>
 
@@ -85,11 +84,11 @@ struct ContactLaw {
 
   /// A state as state_size values of T, and back.
   CONTACTLAWS_HD static void store(const State& state, T* values) noexcept {
-    if constexpr (state_size > 0) std::memcpy(static_cast<void*>(values), &state, sizeof(State));
+    if constexpr (state_size > 0) detail::copy_values<T, state_size>(values, &state);
   }
   CONTACTLAWS_HD static State load(const T* values) noexcept {
     State state{};
-    if constexpr (state_size > 0) std::memcpy(static_cast<void*>(&state), values, sizeof(State));
+    if constexpr (state_size > 0) detail::copy_values<T, state_size>(&state, values);
     return state;
   }
 
@@ -97,9 +96,10 @@ struct ContactLaw {
   CONTACTLAWS_HD Step<T, State> step(const PairProperties<T>& pair, const ContactKinematics<T>& kinematics,
                                      const State& state) const noexcept {
     const auto zero = [] { return Vec3<T>(T(0), T(0), T(0)); };
-    Step<T, State> result{zero(), zero(), state, T(0), T(0), T(0), !(kinematics.overlap < T(0)), Mask<T>(false)};
+    Step<T, State> result{zero(),        zero(), state, T(0), T(0), T(0), negate<T>(kinematics.overlap < T(0)),
+                          Mask<T>(false)};
     const Mask<T> open = is_open(state, pair, kinematics.overlap);
-    if constexpr (adheres) result.active = result.active || !open;
+    if constexpr (adheres) result.active = result.active || negate<T>(open);
     if (all<T>(open)) {
       open_contact(pair, kinematics.overlap, result.state);
     } else {
@@ -189,7 +189,7 @@ struct ContactLaw {
   /// Not where the overlap is NaN: the force is NaN then.
   CONTACTLAWS_HD Mask<T> is_open(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
     if constexpr (adheres) {
-      return !normal.touches(state, pair, overlap);
+      return negate<T>(normal.touches(state, pair, overlap));
     } else {
       return overlap <= T(0);
     }
@@ -270,7 +270,7 @@ struct ContactLaw {
     const auto clear = [&open](Vec3<T>& v) {
       for (int i = 0; i < 3; ++i) v[i] = select<T>(open, T(0), v[i]);
     };
-    result.sliding = result.sliding && !open;
+    result.sliding = result.sliding && negate<T>(open);
     result.normal_elastic = select<T>(open, T(0), result.normal_elastic);
     result.normal_force = select<T>(open, T(0), result.normal_force);
     clear(result.force);
@@ -287,10 +287,11 @@ struct ContactLaw {
   CONTACTLAWS_HD static void reset(const Mask<T>& lanes, State& state) noexcept {
     if constexpr (Slot::state_values().size() > 0) {
       typename Slot::State& of_slot = state;
-      T values[Slot::state_values().size()];
-      std::memcpy(values, &of_slot, sizeof(values));
+      constexpr std::size_t count = Slot::state_values().size();
+      T values[count];
+      detail::copy_values<T, count>(values, &of_slot);
       for (T& value : values) value = select<T>(lanes, T(0), value);
-      std::memcpy(static_cast<void*>(&of_slot), values, sizeof(values));
+      detail::copy_values<T, count>(&of_slot, values);
     }
   }
 };

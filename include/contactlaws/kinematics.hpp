@@ -67,15 +67,12 @@ CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Vec3<T>& x1, const NonDedu
   const T half = overlap / T(2);
   return {normal, overlap, normal * (radius1 - half), normal * (half - radius2)};
 }
-#if !defined(CONTACTLAWS_NO_EIGEN)
-/// The same for vector expressions.
+/// The same for any vectors of one scalar, expressions of Eigen among them.
 template <class X1, class X2, class T = typename X1::Scalar>
-CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const Eigen::MatrixBase<X1>& x1, const typename X1::Scalar& radius1,
-                                                const Eigen::MatrixBase<X2>& x2,
-                                                const typename X1::Scalar& radius2) noexcept {
+CONTACTLAWS_HD ContactGeometry<T> sphere_sphere(const X1& x1, const NonDeduced<T>& radius1, const X2& x2,
+                                                const NonDeduced<T>& radius2) noexcept {
   return sphere_sphere<T>(Vec3<T>(x1), radius1, Vec3<T>(x2), radius2);
 }
-#endif
 
 /// A plane (body 1: through `point`, facing along the unit vector `facing`; its arm starts at `point`) and a sphere.
 template <class T>
@@ -85,6 +82,12 @@ CONTACTLAWS_HD ContactGeometry<T> plane_sphere(const Vec3<T>& point, const Vec3<
   const T overlap = radius2 - dot<T>(from_point, facing);
   const Vec3<T> arm2 = facing * (overlap / T(2) - radius2);
   return {facing, overlap, from_point + arm2, arm2};
+}
+/// The same for any vectors of one scalar.
+template <class X1, class X2, class X3, class T = typename X1::Scalar>
+CONTACTLAWS_HD ContactGeometry<T> plane_sphere(const X1& point, const X2& facing, const X3& x2,
+                                               const NonDeduced<T>& radius2) noexcept {
+  return plane_sphere<T>(Vec3<T>(point), Vec3<T>(facing), Vec3<T>(x2), radius2);
 }
 
 /// The kinematics at a contact of two moving bodies, over the step `dt` [s].

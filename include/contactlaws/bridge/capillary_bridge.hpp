@@ -74,7 +74,7 @@ struct CapillaryBridge {
   }
 
   /// Whether the contact carries a bridge. A NaN volume counts as one, so that its force is NaN.
-  CONTACTLAWS_HD static Mask<T> is_wet(const State& state) noexcept { return !(state.bridge_volume <= T(0)); }
+  CONTACTLAWS_HD static Mask<T> is_wet(const State& state) noexcept { return negate<T>(state.bridge_volume <= T(0)); }
 
   /// Fills the bridge where the gap is at most `moisture_gap` [m]. The next step computes the force.
   CONTACTLAWS_HD static void make_wet(State& state, const T& overlap, const T& moisture_gap) noexcept {
@@ -106,7 +106,7 @@ struct CapillaryBridge {
     }
     const Mask<T> dry = volume <= T(0);
     state.bridge_volume = volume;
-    if (all<T>(dry)) return {T(0), !dry};
+    if (all<T>(dry)) return {T(0), negate<T>(dry)};
     return with_rule([&](const ForceRule<T>& rule) -> BridgeResponse<T> {
       const T gap = positive_part<T>(T(-overlap));
       const Size size(pair, volume);
@@ -115,9 +115,9 @@ struct CapillaryBridge {
       Mask<T> ruptured = Mask<T>(false);
       if (!all<T>(touching || dry)) {
         relative = select<T>(touching, relative, rule.force(size.q, gap, size.length));
-        ruptured = rule.is_ruptured(size.q, gap, size.length) && !dry;
+        ruptured = rule.is_ruptured(size.q, gap, size.length) && negate<T>(dry);
       }
-      const Mask<T> intact = !(dry || ruptured);
+      const Mask<T> intact = negate<T>(dry || ruptured);
       const T force = T(2) * pi<T>() * surface_tension * radius(pair) * relative;
       state.bridge_volume = select<T>(ruptured, T(0), volume);
       state.returned_volume = select<T>(ruptured, T(state.returned_volume + volume), state.returned_volume);
@@ -131,7 +131,7 @@ struct CapillaryBridge {
       const T volume = minimum<T>(state.bridge_volume, bridge_volume);
       const T gap = positive_part<T>(T(-overlap));
       const Size size(pair, volume);
-      const Mask<T> intact = !(volume <= T(0)) && !rule.is_ruptured(size.q, gap, size.length);
+      const Mask<T> intact = negate<T>(volume <= T(0) || rule.is_ruptured(size.q, gap, size.length));
       const T work = size.length * rule.work_to_rupture(size.q, gap, size.length) +
                      positive_part<T>(overlap) * rule.force_at_touch(size.q);
       return select<T>(intact, T(-(T(2) * pi<T>() * surface_tension * radius(pair)) * work), T(0));

@@ -55,7 +55,7 @@ struct SuctionBridge {
   static constexpr std::array<StateValue, 1> state_values() { return {{{"moisture", "1", +1}}}; }
 
   /// Whether the contact carries a bridge. A NaN moisture counts as wet, so that its force is NaN.
-  CONTACTLAWS_HD static Mask<T> is_wet(const State& state) noexcept { return !(state.moisture < T(2)); }
+  CONTACTLAWS_HD static Mask<T> is_wet(const State& state) noexcept { return negate<T>(state.moisture < T(2)); }
 
   /// Wets the contact where its gap is at most `moisture_gap` [m]. The next step computes the force.
   CONTACTLAWS_HD static void make_wet(State& state, const T& overlap, const T& moisture_gap) noexcept {
@@ -80,14 +80,14 @@ struct SuctionBridge {
                                            const T& overlap) const noexcept {
     using std::exp;
     const Mask<T> dry = state.moisture < T(2);
-    if (all<T>(dry)) return {T(0), !dry};
+    if (all<T>(dry)) return {T(0), negate<T>(dry)};
     const T gap = positive_part<T>(T(-overlap));
     const Mask<T> ruptured = gap >= rupture(pair);
-    const Mask<T> intact = !(dry || ruptured);
+    const Mask<T> intact = negate<T>(dry || ruptured);
     T force = largest_force(pair);
     if (!all<T>(gap <= T(0))) force = force * T(exp(T(-gap / (decay_length * pair.min_radius))));
     force = select<T>(state.moisture >= T(2), force, state.moisture);  // a NaN moisture gives a NaN force
-    state.moisture = select<T>(ruptured && !dry, T(1), state.moisture);
+    state.moisture = select<T>(ruptured && negate<T>(dry), T(1), state.moisture);
     return {select<T>(intact, force, T(0)), intact};
   }
 
@@ -97,7 +97,7 @@ struct SuctionBridge {
     const T gap = positive_part<T>(T(-overlap));
     const T decay = decay_length * pair.min_radius;
     const T beyond_touch = decay * T(T(exp(T(-gap / decay))) - T(exp(T(-rupture(pair) / decay))));
-    const Mask<T> intact = is_wet(state) && !(gap >= rupture(pair));
+    const Mask<T> intact = is_wet(state) && negate<T>(gap >= rupture(pair));
     return select<T>(intact, T(-largest_force(pair) * T(beyond_touch + positive_part<T>(overlap))), T(0));
   }
 };

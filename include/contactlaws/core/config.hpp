@@ -16,6 +16,13 @@
 #endif
 #endif
 
+/// The same for a lambda, after its parameters.
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#define CONTACTLAWS_INLINE_LAMBDA __attribute__((always_inline))
+#else
+#define CONTACTLAWS_INLINE_LAMBDA
+#endif
+
 /// Marks a function that runs on the host and, under a GPU compiler, on the device.
 #if defined(__CUDACC__) || defined(__HIPCC__)
 #define CONTACTLAWS_HD __host__ __device__ CONTACTLAWS_INLINE

@@ -25,7 +25,8 @@ CONTACTLAWS_HD LengthLimit<T> length_limit(const Vec3<T>& v, const T& limit, con
   const T length = norm<T>(v);
   const Mask<T> within = length <= limit;  // not where one is NaN
   const T divisor = select<T>(length > T(0), length, T(1));
-  return {select<T>(within, T(1), T(limited / divisor)), !within, select<T>(within, T(0), T(length - limited))};
+  return {select<T>(within, T(1), T(limited / divisor)), negate<T>(within),
+          select<T>(within, T(0), T(length - limited))};
 }
 
 }  // namespace contactlaws::detail

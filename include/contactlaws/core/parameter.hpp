@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -80,6 +81,14 @@ inline constexpr bool prepares = false;
 template <class Slot, class U>
 inline constexpr bool prepares<Slot, U, std::void_t<decltype(std::declval<Slot&>().prepare()), decltype(U(0) * U(0))>> =
     true;
+
+/// Copies `count` values of T from or to a State, one by one: for a whole State of packs GCC calls memcpy.
+template <class T, std::size_t count>
+CONTACTLAWS_HD void copy_values(void* to, const void* from) noexcept {
+  for (std::size_t i = 0; i < count; ++i)
+    std::memcpy(static_cast<char*>(to) + i * sizeof(T), static_cast<const char*>(from) + i * sizeof(T), sizeof(T));
+}
+
 }  // namespace detail
 
 /// The same slot of a law on another scalar, each parameter converted by `convert`. A slot that derives numbers from its

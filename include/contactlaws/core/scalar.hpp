@@ -7,6 +7,7 @@
 // A type whose comparisons yield a bool needs nothing more. Packs specialise ScalarTraits (scalars/xsimd.hpp).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -69,6 +70,16 @@ CONTACTLAWS_HD bool all(const Mask<T>& condition) noexcept {
   }
 }
 
+/// Lane by lane: whether `condition` does not hold.
+template <class T>
+CONTACTLAWS_HD Mask<T> negate(const Mask<T>& condition) noexcept {
+  if constexpr (std::is_same_v<Mask<T>, bool>) {
+    return !condition;
+  } else {
+    return ScalarTraits<T>::negate(condition);
+  }
+}
+
 /// max(x, 0). A NaN stays a NaN, and -0 stays -0.
 template <class T>
 CONTACTLAWS_HD T positive_part(const T& x) noexcept {
@@ -87,13 +98,15 @@ CONTACTLAWS_HD T maximum(const T& a, const T& b) noexcept {
 
 /// Two square roots for the price of one where the hardware has pairs.
 template <class T>
-CONTACTLAWS_HD Two<T> sqrt_pair(const T& a, const T& b) noexcept {
-#if defined(CONTACTLAWS_NO_EIGEN)
+CONTACTLAWS_HD std::array<T, 2> sqrt_pair(const T& a, const T& b) noexcept {
+#if !defined(CONTACTLAWS_NO_EIGEN)
+  if constexpr (std::is_floating_point_v<T>) {
+    const Eigen::Array<T, 2, 1> roots = Eigen::Array<T, 2, 1>(a, b).sqrt();
+    return {roots[0], roots[1]};
+  }
+#endif
   using std::sqrt;
   return {sqrt(a), sqrt(b)};
-#else
-  return Two<T>(a, b).sqrt();
-#endif
 }
 
 /// a . b, summed from x to z for every T. Eigen's order depends on the type; a fixed one gives packs the scalar's bits.
@@ -144,13 +157,15 @@ CONTACTLAWS_HD T norm(const Vec3<T>& v) noexcept {
   using std::abs;
   using std::sqrt;
   const T square = dot<T>(v, v);
-  if (!any<T>(!square_is_exact<T>(square))) return sqrt(square);
+  const Mask<T> exact = square_is_exact<T>(square);
+  if (all<T>(exact)) return sqrt(square);
   const T x = abs(v.x()), y = abs(v.y()), z = abs(v.z());
   const T largest = maximum<T>(maximum<T>(x, y), z);
+  if (all<T>(exact || largest <= T(0))) return sqrt(square);  // packs often have a zero, of an open contact
   const T divisor = select<T>(largest > T(0), largest, T(1));
   const Vec3<T> scaled(v.x() / divisor, v.y() / divisor, v.z() / divisor);
   const T scaled_square = dot<T>(scaled, scaled);
-  return select<T>(square_is_exact<T>(square), sqrt(square), largest * sqrt(scaled_square));
+  return select<T>(exact, sqrt(square), largest * sqrt(scaled_square));
 }
 
 /// pi to every digit of T.

@@ -79,7 +79,7 @@ struct Dashpots {
       using std::sqrt;
       return {damping_constant * T(sqrt(T(mass * secant))), T(0)};
     } else {
-      const Two<T> roots = sqrt_pair<T>(mass * secant, mass * shear);
+      const std::array<T, 2> roots = sqrt_pair<T>(mass * secant, mass * shear);
       const T& in_shear = shear_dashpot == ShearDashpot::given ? shear_damping_constant : damping_constant;
       return {damping_constant * roots[0], in_shear * roots[1]};
     }

@@ -41,7 +41,7 @@ struct Dmt {
     return T(2) * pi<T>() * work_of_adhesion * pair.effective_radius;
   }
   CONTACTLAWS_HD Mask<T> touches(const State&, const PairProperties<T>&, const T& overlap) const noexcept {
-    return !(overlap <= T(0));
+    return negate<T>(overlap <= T(0));
   }
   /// Beyond touch the law exerts no force [m].
   CONTACTLAWS_HD T range(const PairProperties<T>&) const noexcept { return T(0); }

@@ -58,10 +58,10 @@ struct Jkr {
   /// h, the contact radius at which the contact lets go [m].
   CONTACTLAWS_HD T pull_off_radius(const PairProperties<T>& pair) const noexcept { return scales(pair).h; }
   CONTACTLAWS_HD Mask<T> touches(const State& state, const PairProperties<T>& pair, const T& overlap) const noexcept {
-    const Mask<T> overlaps = !(overlap <= T(0));
-    const Mask<T> stretched = !overlaps && !(state.in_contact <= T(0));
+    const Mask<T> overlaps = negate<T>(overlap <= T(0));
+    const Mask<T> stretched = negate<T>(overlaps || state.in_contact <= T(0));
     if (!any<T>(stretched)) return overlaps;
-    return overlaps || (stretched && !(above_pull_off(state, pair, overlap, pull_off_radius(pair)) <= T(0)));
+    return overlaps || (stretched && negate<T>(above_pull_off(state, pair, overlap, pull_off_radius(pair)) <= T(0)));
   }
   /// The gap at which the contact lets go, rounded up [m].
   CONTACTLAWS_HD T range(const PairProperties<T>& pair) const noexcept {
@@ -137,7 +137,7 @@ struct Jkr {
     }
     const auto [h, root_h, per_root] = scales(pair);
     const T s = above_pull_off(state, pair, overlap, h);
-    const Mask<T> holds = !(s <= T(0));
+    const Mask<T> holds = negate<T>(s <= T(0));
     if (!any<T>(holds)) return {holds, T(0), T(0), T(1)};
     const T z = root_above_pull_off(select<T>(holds, s, T(h * h)), h, root_h);
     const T root_a = root_h + z;

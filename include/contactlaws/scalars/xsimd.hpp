@@ -11,28 +11,12 @@
 #include "contactlaws/batch.hpp"
 #include "contactlaws/core/power.hpp"
 
-#if !defined(CONTACTLAWS_NO_EIGEN)
-namespace Eigen {
-template <class L, class A>
-struct NumTraits<xsimd::batch<L, A>> : GenericNumTraits<xsimd::batch<L, A>> {
-  using Real = xsimd::batch<L, A>;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = L;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 0,
-    ReadCost = 1,
-    AddCost = 1,
-    MulCost = 1
-  };
-};
-}  // namespace Eigen
-#endif
-
 namespace contactlaws {
+template <class L, class A>
+struct VectorOf<xsimd::batch<L, A>> {
+  using type = PlainVec3<xsimd::batch<L, A>>;
+};
+
 template <class L, class A>
 struct ScalarTraits<xsimd::batch<L, A>> {
   using Pack = xsimd::batch<L, A>;
@@ -45,6 +29,7 @@ struct ScalarTraits<xsimd::batch<L, A>> {
   }
   static bool any(const Mask& condition) noexcept { return xsimd::any(condition); }
   static bool all(const Mask& condition) noexcept { return xsimd::all(condition); }
+  static Mask negate(const Mask& condition) noexcept { return ~condition; }  // GCC does not always inline xsimd's `!`
   static Pack load(const L* values) noexcept { return Pack::load_unaligned(values); }
   static void store(L* values, const Pack& x) noexcept { x.store_unaligned(values); }
 };

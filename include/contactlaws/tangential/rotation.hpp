@@ -53,7 +53,7 @@ struct ProjectRestore {
     if (!any<T>(shorter)) return shear - normal * out_of_plane;
     // The restored length is a small correction: adding it to 1 first would lose it to rounding at every step.
     const T length = select<T>(shorter, kept, T(1));
-    const Two<T> roots = sqrt_pair<T>(length, T(length + lost));
+    const std::array<T, 2> roots = sqrt_pair<T>(length, T(length + lost));
     const T gain = select<T>(shorter, lost, T(0)) / (length + roots[0] * roots[1]);
     const T away = out_of_plane + out_of_plane * gain;
     return shear + (shear * gain - normal * away);
