@@ -51,6 +51,7 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   using Law = LawOf<Parameters>;
   using Pack = typename PackOf<double>::type;
   static constexpr bool bridges = decltype(Law::bridge)::acts;
+  static constexpr bool yields = detail::yields<decltype(Law::normal)>;
   static_assert(Law::state_size > 0, "a law without history needs no fix NEIGH_HISTORY");
   static_assert(!Law::outlives_separation, "LAMMPS forgets pairs that have separated");
 
@@ -86,7 +87,7 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     double force[3], torque[3];
   };
   struct Heat {
-    double friction, dashpots;  ///< [J]
+    double friction, dashpots, yielding;  ///< [J]
   };
   struct Contact {
     int i, j;         ///< atoms: bodies 1 and 2
@@ -108,8 +109,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     single_enable = 1;
     single_extra = 6;
     svector = new double[6]();
-    nextra = 2;
-    pvector = new double[2]();
+    nextra = 3;
+    pvector = new double[3]();
     finitecutflag = 1;
     no_virial_fdotr_compute = 1;
     centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
@@ -412,7 +413,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     const Atoms atoms{rows(atom->x), rows(atom->v), rows(atom->omega), rows(atom->f),     rows(atom->torque),
                       atom->radius,  masses(),      atom->nlocal,      force->newton_pair};
     const int* const type = atom->type;
-    Heat heat{0.0, 0.0};
+    Heat heat{0.0, 0.0, 0.0};
+    yielding_of_closed_ = 0.0;
     for (int n = 0; n < list->inum; ++n) {
       const int i = list->ilist[n], neighbours = list->numneigh[i];
       const int* const neighbour = list->firstneigh[i];
@@ -446,6 +448,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     }
     pvector[0] += heat.friction;
     pvector[1] += heat.dashpots;
+    yielding_of_opened_ += heat.yielding;
+    if (eflag_either != 0) pvector[2] = yielding_of_opened_ + yielding_of_closed_;
   }
 
   void wet(const TypePair& pair, const Contact& contact, double overlap) const {
@@ -466,6 +470,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     const auto properties =
         sphere_sphere_pair<double>(pair.moduli, one.radius, rj, effective_mass<double>(masses.m1, masses.m2));
     const auto step = pair.law.step(properties, spheres.kinematics, Law::load(contact.history));
+    if constexpr (yields)
+      if (!step.active) heat.yielding += share_of(contact) * yielding(pair, properties, contact);
     store(contact, step.active, step.state);
     const Torques<double> turning = torques<double>(spheres, step.force, step.couple);
     add(atoms, contact, step.force, turning.on1, turning.on2, step.friction_work, step.dashpot_work, sum, heat);
@@ -503,7 +509,12 @@ class PairContactLaws : public LAMMPS_NS::Pair {
       Sum sum(atoms, i);
       for (; c < count && pair.contacts[c].i == i; ++c) {
         const Contact& contact = pair.contacts[c];
-        store(contact, block.active[c] != 0.0, block.state_of(c));
+        const bool active = block.active[c] != 0.0;
+        if constexpr (yields)
+          if (!active)
+            heat.yielding +=
+                share_of(contact) * yielding(pair, properties_of(pair, atoms.mass, contact.i, contact.j), contact);
+        store(contact, active, block.state_of(c));
         const double on_j[3] = {block.force[0][c], block.force[1][c], block.force[2][c]};
         const double turns_i[3] = {block.torque1[0][c], block.torque1[1][c], block.torque1[2][c]};
         const double turns_j[3] = {block.torque2[0][c], block.torque2[1][c], block.torque2[2][c]};
@@ -514,6 +525,15 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     }
     block.count = 0;
     total = heat;
+  }
+
+  /// Heat of yielding since the contact was new, as its stored history has it [J].
+  static double yielding(const TypePair& pair, const PairProperties<double>& properties, const Contact& contact) {
+    return pair.law.normal.plastic_dissipation(Law::load(contact.history), properties);
+  }
+  /// What this rank counts of a contact's energies: half, where the owner of atom j counts the other half.
+  double share_of(const Contact& contact) const {
+    return force->newton_pair != 0 || contact.j < atom->nlocal ? 1.0 : 0.5;
   }
 
   /// The history of a contact after its step; LAMMPS forgets that of one which is not active.
@@ -547,9 +567,11 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     const double *xi = atom->x[i], *xj = atom->x[j], ri = atom->radius[i], rj = atom->radius[j];
     const Vec3<double> branch(xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]);
     double energy = 0.0;
-    if (eflag_either != 0)
-      energy = pair.law.stored_energy(properties_of(pair, masses(), i, j), ri + rj - norm<double>(branch),
-                                      Law::load(contact.history));
+    if (eflag_either != 0) {
+      const PairProperties<double> properties = properties_of(pair, masses(), i, j);
+      energy = pair.law.stored_energy(properties, ri + rj - norm<double>(branch), Law::load(contact.history));
+      if constexpr (yields) yielding_of_closed_ += share_of(contact) * yielding(pair, properties, contact);
+    }
     ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, on_j[0], on_j[1], on_j[2], branch[0], branch[1],
                  branch[2]);
   }
@@ -563,6 +585,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   LAMMPS_NS::FixNeighHistory* history_ = nullptr;
   LAMMPS_NS::Fix* rigid_ = nullptr;
   int frozen_ = 0;  ///< group bit of fix freeze
+  // Heat of yielding [J]: of contacts that have opened, and of those that touch, in a step that counts energies.
+  double yielding_of_opened_ = 0.0, yielding_of_closed_ = 0.0;
 };
 
 }  // namespace contactlaws
