@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 build=${1:-build/hosts/lammps}
 mkdir -p "$build"
 sh examples/hosts/lammps/headers.sh "$build/headers" >"$build/headers.log" 2>&1
-mpicxx -std=c++17 -O3 -march=native -DLAMMPS_SMALLBIG -DOMPI_SKIP_MPICXX -Iinclude -isystem /usr/include/eigen3 \
+mpicxx -std=c++17 -O3 -march=native -fno-math-errno -DLAMMPS_SMALLBIG -DOMPI_SKIP_MPICXX -Iinclude -isystem /usr/include/eigen3 \
   -isystem "$build/headers" -o "$build/clmp_native" examples/hosts/lammps/clmp.cpp examples/hosts/lammps/styles.cpp -llammps
 
 pair_time() {

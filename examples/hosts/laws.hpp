@@ -24,6 +24,7 @@ void visit_laws(const Visit& visit) {
   visit("dry_hill/displacement_rescaled", HertzWith<ShearDisplacementRescaled>());
   visit("hill", Hill<double>());
   visit("rough_ballast", RoughBallastProperties<double>());
+  visit("plastic_grains", PlasticGrainsProperties<double>());
   visit("linear_friction", LinearFrictionProperties<double>());
   visit("linear_spring_dashpot", LinearSpringDashpotProperties<double>());
 }
@@ -34,6 +35,7 @@ ContactLaw<Slots...> make_law(const ContactLaw<Slots...>& law) {
   return checked(law);
 }
 inline RoughBallast<double> make_law(const RoughBallastProperties<double>& p) { return rough_ballast(p); }
+inline PlasticGrains<double> make_law(const PlasticGrainsProperties<double>& p) { return plastic_grains(p); }
 inline LinearFriction<double> make_law(const LinearFrictionProperties<double>& p) { return linear_friction(p); }
 inline LinearSpringDashpot<double> make_law(const LinearSpringDashpotProperties<double>& p) {
   return linear_spring_dashpot(p);

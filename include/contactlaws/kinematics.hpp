@@ -119,22 +119,21 @@ CONTACTLAWS_HD SphereContact<T> sphere_contact(const T* x1, const T* v1, const T
                                                const T* x2, const T* v2, const T* w2, const NonDeduced<T>& radius2,
                                                const NonDeduced<T>& dt) noexcept {
   using std::sqrt;
-  const Vec3<T> branch(x2[0] - x1[0], x2[1] - x1[1], x2[2] - x1[2]);
-  const T distance = sqrt(dot<T>(branch, branch));
+  // By components: they stay in registers, where a vector would be stored and loaded again at once.
+  const T x = x2[0] - x1[0], y = x2[1] - x1[1], z = x2[2] - x1[2];
+  const T distance = sqrt(T(x * x + y * y + z * z));
   const T inverse = T(1) / distance;
-  const Vec3<T> normal = branch * inverse;
+  const T nx = x * inverse, ny = y * inverse, nz = z * inverse;
   const T overlap = radius1 + radius2 - distance;
   const T half = overlap / T(2);
   const T arm1 = radius1 - half, arm2 = radius2 - half;
   // w1 x (arm1 n) and w2 x (-arm2 n): one cross product
-  const Vec3<T> swept(w1[0] * arm1 + w2[0] * arm2, w1[1] * arm1 + w2[1] * arm2, w1[2] * arm1 + w2[2] * arm2);
-  const Vec3<T> centres(v2[0] - v1[0], v2[1] - v1[1], v2[2] - v1[2]);
+  const T sx = w1[0] * arm1 + w2[0] * arm2, sy = w1[1] * arm1 + w2[1] * arm2, sz = w1[2] * arm1 + w2[2] * arm2;
+  const Vec3<T> velocity(v2[0] - v1[0] - (sy * nz - sz * ny), v2[1] - v1[1] - (sz * nx - sx * nz),
+                         v2[2] - v1[2] - (sx * ny - sy * nx));
+  const T normal_spin = ((w1[0] + w2[0]) * nx + (w1[1] + w2[1]) * ny + (w1[2] + w2[2]) * nz) / T(2);
   const Vec3<T> relative_spin(w2[0] - w1[0], w2[1] - w1[1], w2[2] - w1[2]);
-  const Vec3<T> both_spins(w1[0] + w2[0], w1[1] + w2[1], w1[2] + w2[2]);
-  return {{normal, overlap, centres - swept.cross(normal), dt, dot<T>(both_spins, normal) / T(2), relative_spin},
-          arm1,
-          arm2,
-          distance};
+  return {{Vec3<T>(nx, ny, nz), overlap, velocity, dt, normal_spin, relative_spin}, arm1, arm2, distance};
 }
 
 /// The torques about the two centres of a force and a couple on body 2 [N m].

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // fix wall/contactlaws/NAME: walls whose contacts follow any law of contactlaws.
 //
-//   fix ID GROUP wall/contactlaws/NAME SHAPE young E poisson nu [wall_young E] [wall_poisson nu] [NAME VALUE]...
+//   fix ID GROUP wall/contactlaws/NAME SHAPE young E poisson nu [wall_young E] [wall_poisson nu] [NAME VALUE]... [MOTION]
 //
 // SHAPE: xplane, yplane or zplane LOW HIGH (NULL: no wall there); or zcylinder RADIUS, about the z axis. Without wall_young and
 // wall_poisson the wall is of the grains' material. `wet GAP` wets, where the next run starts, contacts with a gap up to GAP.
 //
+// MOTION: `wiggle DIM AMPLITUDE PERIOD` or `shear DIM SPEED` as of wall/gran, or `velocity DIM SPEED`; see wall_motion.hpp. A plane
+// shears along itself. A cylinder moves along z; it shears along z, or (DIM x or y) about z, clockwise as seen from above. Time runs
+// from where the fix was made, and goes on in a restart.
+//
 // f_ID is the energy of springs and bridges, part of the energy after `fix_modify ID energy yes`; f_ID[1] to f_ID[3] the force
-// on the wall; f_ID[4] and f_ID[5] the heat of friction and of dashpots since the start. The wall is body 1, the atom body 2.
+// on the wall; f_ID[4], f_ID[5] and f_ID[6] the heat of friction, of dashpots and of yielding since the start. After `fix_modify ID
+// virial yes` the pressure counts the way from the wall to the atom's centre times the force on it (xz: the way in x times the force
+// in z, as between atoms). The wall is body 1, the atom body 2.
 #pragma once
 
 #include <array>
 
 #include "pair_contactlaws.hpp"
+#include "wall_motion.hpp"
 
 namespace contactlaws {
 
@@ -20,6 +27,7 @@ template <class Parameters>
 class FixWallContactLaws : public LAMMPS_NS::Fix {
   using Law = LawOf<Parameters>;
   static constexpr bool bridges = decltype(Law::bridge)::acts;
+  static constexpr bool yields = detail::yields<decltype(Law::normal)>;
   static constexpr int size = int(Law::state_size);
 
  public:
@@ -47,6 +55,12 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
       Parameters parameters;
       for (; next < count; next += 2) {
         const std::string name = words[next];
+        if (const int numbers = WallMotion::numbers(name)) {
+          if (next + 1 + numbers >= count) fail("a value is missing after " + name);
+          motion_.set(name, words[next + 1], number(next + 2), numbers == 2 ? number(next + 3) : 0.0);
+          next += numbers;
+          continue;
+        }
         if (next + 1 == count) fail("a value is missing after " + name);
         const double value = number(next + 1);
         if (name == "young" || name == "poisson") {
@@ -60,6 +74,8 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
           set_law_parameter(parameters, name, value);
         }
       }
+      if (sides_ == 2 && motion_.shears() && motion_.axis() == axis_) fail("a plane shears along itself");
+      if (sides_ == 1 && !motion_.shears() && motion_.axis() != 2) fail("a cylinder moves along z");
       law_ = make_law(parameters);
       if (wall.young != wall.young) wall.young = grain.young;
       if (wall.poisson != wall.poisson) wall.poisson = grain.poisson;
@@ -68,8 +84,9 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
       fail(complaint.what());
     }
     create_attribute = restart_peratom = scalar_flag = vector_flag = extscalar = extvector = global_freq = 1;
-    energy_global_flag = 1;
-    size_vector = 5;
+    energy_global_flag = virial_global_flag = virial_peratom_flag = restart_global = 1;
+    size_vector = 6;
+    first_step_ = update->ntimestep;
     FixWallContactLaws::grow_arrays(atom->nmax);
     for (int i = 0; i < atom->nlocal; ++i) FixWallContactLaws::set_arrays(i);
     atom->add_callback(LAMMPS_NS::Atom::GROW);
@@ -89,7 +106,8 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
   }
   void setup(int flags) override { post_force(flags); }
 
-  void post_force(int) override {
+  void post_force(int virial_flag) override {
+    v_init(virial_flag);
     std::fill_n(totals_.begin(), 3, 0.0);
     for_each_contact(update->setupflag != 0 ? 0.0 : update->dt,
                      [this](int i, const SphereContact<double>& contact, const auto& pair, double* history) {
@@ -106,6 +124,7 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
                        }
                        totals_[3] += step.friction_work;
                        totals_[4] += step.dashpot_work;
+                       if (evflag != 0) tally(i, contact, step.force);
                      });
     wet_gap_ = -1.0;
   }
@@ -117,7 +136,24 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
     });
     return over_ranks(energy);
   }
-  double compute_vector(int k) override { return over_ranks(totals_[std::size_t(k)]); }
+  double compute_vector(int k) override {
+    double value = totals_[std::size_t(k)];
+    if constexpr (yields)
+      if (k == 5)
+        for_each_contact(0.0, [&](int, const SphereContact<double>&, const auto& pair, const double* history) {
+          value += yielding(pair, history);
+        });
+    return over_ranks(value);
+  }
+
+  // The time at which the motion began.
+  void write_restart(FILE* file) override {
+    const int bytes = sizeof(first_step_);
+    if (comm->me != 0) return;
+    std::fwrite(&bytes, sizeof(int), 1, file);
+    std::fwrite(&first_step_, sizeof(first_step_), 1, file);
+  }
+  void restart(char* values) override { std::memcpy(&first_step_, values, sizeof(first_step_)); }
 
   // The history travels with its atom, and into restart files.
   double memory_usage() override { return double(atom->nmax) * values() * sizeof(double); }
@@ -152,6 +188,18 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
     std::abort();
   }
   int values() const { return sides_ * size; }
+
+  double yielding(const PairProperties<double>& pair, const double* history) const {
+    return law_.normal.plastic_dissipation(Law::load(history), pair);
+  }
+  /// Adds to the virial the force on an atom times the way from the wall to its centre (xz: that in x times
+  // the force in z, as between atoms).
+  void tally(int i, const SphereContact<double>& contact, const Vec3<double>& force) {
+    const Vec3<double> way = contact.kinematics.normal * contact.distance;
+    double virial[6] = {way[0] * force[0], way[1] * force[1], way[2] * force[2],
+                        way[0] * force[1], way[0] * force[2], way[1] * force[2]};
+    v_tally(i, virial);
+  }
   double over_ranks(double mine) const {
     double all = 0.0;
     MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
@@ -165,30 +213,41 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
     const int* body = rigid_ == nullptr ? nullptr : static_cast<const int*>(rigid_->extract("body", dimension));
     const double* of_bodies =
         rigid_ == nullptr ? nullptr : static_cast<const double*>(rigid_->extract("masstotal", dimension));
-    const double rest[3] = {0.0, 0.0, 0.0};
+    const double no_spin[3] = {0.0, 0.0, 0.0};
+    const double time = double(update->ntimestep - first_step_) * update->dt;
+    const double moved = motion_.displacement(time), speed = motion_.velocity(time);
     for (int i = 0; i < atom->nlocal; ++i) {
       if ((atom->mask[i] & groupbit) == 0) continue;
       const double *x = atom->x[i], radius = atom->radius[i];
       const double mass = body != nullptr && body[i] >= 0 ? of_bodies[body[i]] : atom->rmass[i];
       for (int side = 0; side < sides_; ++side) {
         double wall[3] = {x[0], x[1], x[2]};  // its point nearest to the centre
+        double velocity[3] = {0.0, 0.0, 0.0};
+        velocity[motion_.axis()] = speed;
         PairProperties<double> pair = plane_sphere_pair<double>(moduli_, radius, mass);
         double distance;
         if (sides_ == 1) {
           const double from_axis = std::hypot(x[0], x[1]);
           for (int d = 0; d < 2; ++d) wall[d] *= cylinder_ / from_axis;
           distance = std::abs(cylinder_ - from_axis);
+          if (motion_.axis() != 2) {  // about z
+            velocity[0] = speed * x[1] / from_axis;
+            velocity[1] = -speed * x[0] / from_axis;
+          }
           // Curved in one direction, by half of its curvature in the mean.
           pair.effective_radius = 1.0 / (1.0 / radius + (from_axis < cylinder_ ? -0.5 : 0.5) / cylinder_);
         } else {
-          wall[axis_] = plane_[side];
-          distance = std::abs(x[axis_] - plane_[side]);
+          wall[axis_] = plane_[side] + (motion_.axis() == axis_ ? moved : 0.0);
+          distance = std::abs(x[axis_] - wall[axis_]);
         }
         double* const history = histories_[i] + side * size;
         if (distance > 0.0 && distance < radius + law_.interaction_range(pair)) {
-          visit(i, sphere_contact<double>(wall, rest, rest, 0.0, x, atom->v[i], atom->omega[i], radius, dt), pair,
-                history);
+          visit(i, sphere_contact<double>(wall, velocity, no_spin, 0.0, x, atom->v[i], atom->omega[i], radius, dt),
+                pair, history);
         } else {
+          if constexpr (yields)
+            if (std::any_of(history, history + size, [](double value) { return value != 0.0; }))
+              totals_[5] += yielding(pair, history);
           std::fill_n(history, size, 0.0);
         }
       }
@@ -200,9 +259,12 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
   double plane_[2] = {-nowhere, nowhere}, cylinder_ = 0.0;
   Law law_;
   EffectiveModuli<double> moduli_{1.0, 1.0};
+  WallMotion motion_;
+  LAMMPS_NS::bigint first_step_ = 0;  ///< in which the motion began
   double wet_gap_ = -1.0;
-  double** histories_ = nullptr;    ///< of each atom: side by side
-  std::array<double, 5> totals_{};  ///< of this rank: force on the wall, heat of friction, of dashpots
+  double** histories_ = nullptr;  ///< of each atom: side by side
+  std::array<double, 6>
+      totals_{};  ///< of this rank: force on the wall, heat of friction, of dashpots, of yielding at opened contacts
   LAMMPS_NS::Fix* rigid_ = nullptr;
 };
 

@@ -51,16 +51,43 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   using Law = LawOf<Parameters>;
   using Pack = typename PackOf<double>::type;
   static constexpr bool bridges = decltype(Law::bridge)::acts;
+  static constexpr bool yields = detail::yields<decltype(Law::normal)>;
   static_assert(Law::state_size > 0, "a law without history needs no fix NEIGH_HISTORY");
   static_assert(!Law::outlives_separation, "LAMMPS forgets pairs that have separated");
 
+  using Row = double[3];
+  /// LAMMPS's arrays by atom, each in one piece: row j without the pointer that LAMMPS keeps to it.
   struct Atoms {
-    double **x, **v, **spin, **force, **torque;
+    const Row *x, *v, *spin;
+    Row *force, *torque;
     const double *radius, *mass;
     int owned, newton;
   };
+  /// A copy of atom i of the neighbour list, which stays in registers: no store of a force can change it.
+  struct Centre {
+    Centre(const Atoms& atoms, int i)
+        : x{atoms.x[i][0], atoms.x[i][1], atoms.x[i][2]},
+          v{atoms.v[i][0], atoms.v[i][1], atoms.v[i][2]},
+          spin{atoms.spin[i][0], atoms.spin[i][1], atoms.spin[i][2]},
+          radius(atoms.radius[i]),
+          mass(atoms.mass[i]) {}
+    double x[3], v[3], spin[3], radius, mass;
+  };
+  /// Force and torque of atom i, in registers while its contacts follow each other.
+  struct Sum {
+    Sum(const Atoms& atoms, int i)
+        : i(i),
+          force{atoms.force[i][0], atoms.force[i][1], atoms.force[i][2]},
+          torque{atoms.torque[i][0], atoms.torque[i][1], atoms.torque[i][2]} {}
+    void store(const Atoms& atoms) const {
+      for (int d = 0; d < 3; ++d) atoms.force[i][d] = force[d];
+      for (int d = 0; d < 3; ++d) atoms.torque[i][d] = torque[d];
+    }
+    int i;
+    double force[3], torque[3];
+  };
   struct Heat {
-    double friction, dashpots;  ///< [J]
+    double friction, dashpots, yielding;  ///< [J]
   };
   struct Contact {
     int i, j;         ///< atoms: bodies 1 and 2
@@ -82,8 +109,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     single_enable = 1;
     single_extra = 6;
     svector = new double[6]();
-    nextra = 2;
-    pvector = new double[2]();
+    nextra = 3;
+    pvector = new double[3]();
     finitecutflag = 1;
     no_virial_fdotr_compute = 1;
     centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
@@ -356,15 +383,15 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   struct Masses {
     double m1, m2;
   };
-  Masses masses_of(const double* mass, int i, int j) const {
+  Masses masses_of(double m1, double m2, const Contact& contact) const {
     if (frozen_ != 0) {
-      if ((atom->mask[i] & frozen_) != 0) return {2.0 * mass[j], 2.0 * mass[j]};
-      if ((atom->mask[j] & frozen_) != 0) return {2.0 * mass[i], 2.0 * mass[i]};
+      if ((atom->mask[contact.i] & frozen_) != 0) return {2.0 * m2, 2.0 * m2};
+      if ((atom->mask[contact.j] & frozen_) != 0) return {2.0 * m1, 2.0 * m1};
     }
-    return {mass[i], mass[j]};
+    return {m1, m2};
   }
   PairProperties<double> properties_of(const TypePair& pair, const double* mass, int i, int j) const {
-    const Masses masses = masses_of(mass, i, j);
+    const Masses masses = masses_of(mass[i], mass[j], {i, j, nullptr, nullptr});
     return sphere_sphere_pair<double>(pair.moduli, atom->radius[i], atom->radius[j],
                                       effective_mass<double>(masses.m1, masses.m2));
   }
@@ -382,34 +409,38 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   template <class Number>
   void step_all() {
     const double dt = update->setupflag != 0 ? 0.0 : update->dt;
-    const Atoms atoms{atom->x,      atom->v,  atom->omega,  atom->f,           atom->torque,
-                      atom->radius, masses(), atom->nlocal, force->newton_pair};
+    const auto rows = [](double** array) { return array == nullptr ? nullptr : reinterpret_cast<Row*>(array[0]); };
+    const Atoms atoms{rows(atom->x), rows(atom->v), rows(atom->omega), rows(atom->f),     rows(atom->torque),
+                      atom->radius,  masses(),      atom->nlocal,      force->newton_pair};
     const int* const type = atom->type;
-    Heat heat{0.0, 0.0};
+    Heat heat{0.0, 0.0, 0.0};
+    yielding_of_closed_ = 0.0;
     for (int n = 0; n < list->inum; ++n) {
       const int i = list->ilist[n], neighbours = list->numneigh[i];
       const int* const neighbour = list->firstneigh[i];
       int* const touches = history_->firstflag[i];
       double* const histories = history_->firstvalue[i];
       TypePair* const* const pair_of = &pair_of_types_[std::size_t(type[i] * (atom->ntypes + 1))];
-      const double xi = atoms.x[i][0], yi = atoms.x[i][1], zi = atoms.x[i][2], ri = atoms.radius[i];
+      const Centre centre(atoms, i);
+      [[maybe_unused]] Sum sum(atoms, i);
       for (int k = 0; k < neighbours; ++k) {
         const int j = neighbour[k] & NEIGHMASK;
         const double* const xj = atoms.x[j];
-        const double dx = xj[0] - xi, dy = xj[1] - yi, dz = xj[2] - zi;
-        const double square = dx * dx + dy * dy + dz * dz, reach = ri + atoms.radius[j];
+        const double dx = xj[0] - centre.x[0], dy = xj[1] - centre.x[1], dz = xj[2] - centre.x[2];
+        const double square = dx * dx + dy * dy + dz * dz, reach = centre.radius + atoms.radius[j];
         TypePair& pair = *pair_of[type[j]];
         const Contact contact{i, j, touches + k, histories + k * int(Law::state_size)};
         if constexpr (bridges)
           if (pair.wet_gap >= 0.0) wet(pair, contact, reach - std::sqrt(square));
         if (square >= reach * reach && *contact.touch == 0) continue;
         if constexpr (std::is_same_v<Number, double>) {
-          step(atoms, pair, contact, dt, heat);
+          step(atoms, pair, contact, centre, dt, sum, heat);
         } else {
-          collect(atoms, pair, contact);
+          collect(atoms, pair, contact, centre);
           if (pair.block.count == pair.block.capacity) step_block<Number>(atoms, pair, dt, heat);
         }
       }
+      if constexpr (std::is_same_v<Number, double>) sum.store(atoms);
     }
     for (TypePair& pair : pairs_) {
       if (pair.block.count > 0) step_block<Number>(atoms, pair, dt, heat);
@@ -417,6 +448,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     }
     pvector[0] += heat.friction;
     pvector[1] += heat.dashpots;
+    yielding_of_opened_ += heat.yielding;
+    if (eflag_either != 0) pvector[2] = yielding_of_opened_ + yielding_of_closed_;
   }
 
   void wet(const TypePair& pair, const Contact& contact, double overlap) const {
@@ -427,37 +460,39 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     *contact.touch = 1;  // it has a history
   }
 
-  CONTACTLAWS_INLINE void step(const Atoms& atoms, const TypePair& pair, const Contact& contact, double dt,
-                               Heat& heat) {
-    const int i = contact.i, j = contact.j;
-    const double ri = atoms.radius[i], rj = atoms.radius[j];
-    const SphereContact<double> spheres = sphere_contact<double>(atoms.x[i], atoms.v[i], atoms.spin[i], ri, atoms.x[j],
-                                                                 atoms.v[j], atoms.spin[j], rj, dt);
-    const auto step =
-        pair.law.step(properties_of(pair, atoms.mass, i, j), spheres.kinematics, Law::load(contact.history));
-    store(contact, step.active, [&step] { return step.state; });
+  CONTACTLAWS_INLINE void step(const Atoms& atoms, const TypePair& pair, const Contact& contact, const Centre& one,
+                               double dt, Sum& sum, Heat& heat) {
+    const int j = contact.j;
+    const double rj = atoms.radius[j];
+    const SphereContact<double> spheres =
+        sphere_contact<double>(one.x, one.v, one.spin, one.radius, atoms.x[j], atoms.v[j], atoms.spin[j], rj, dt);
+    const Masses masses = masses_of(one.mass, atoms.mass[j], contact);
+    const auto properties =
+        sphere_sphere_pair<double>(pair.moduli, one.radius, rj, effective_mass<double>(masses.m1, masses.m2));
+    const auto step = pair.law.step(properties, spheres.kinematics, Law::load(contact.history));
+    if constexpr (yields)
+      if (!step.active) heat.yielding += share_of(contact) * yielding(pair, properties, contact);
+    store(contact, step.active, step.state);
     const Torques<double> turning = torques<double>(spheres, step.force, step.couple);
-    add(atoms, contact, step.force.data(), turning.on1.data(), turning.on2.data(), step.friction_work,
-        step.dashpot_work, heat);
-    if (evflag != 0) tally(pair, contact, step.force.data());
+    add(atoms, contact, step.force, turning.on1, turning.on2, step.friction_work, step.dashpot_work, sum, heat);
+    if (evflag != 0) tally(pair, contact, step.force);
   }
 
-  CONTACTLAWS_INLINE void collect(const Atoms& atoms, TypePair& pair, const Contact& contact) {
+  CONTACTLAWS_INLINE void collect(const Atoms& atoms, TypePair& pair, const Contact& contact, const Centre& one) {
     ContactBlock<Law>& block = pair.block;
     const std::size_t c = block.count++;
     pair.contacts[c] = contact;
-    const int i = contact.i, j = contact.j;
-    const Masses masses = masses_of(atoms.mass, i, j);
+    const int j = contact.j;
+    const Masses masses = masses_of(one.mass, atoms.mass[j], contact);
     block.mass1[c] = masses.m1;
     block.mass2[c] = masses.m2;
-    block.radius1[c] = atoms.radius[i];
+    block.radius1[c] = one.radius;
     block.radius2[c] = atoms.radius[j];
-    const double *xi = atoms.x[i], *xj = atoms.x[j], *vi = atoms.v[i], *vj = atoms.v[j];
-    const double *wi = atoms.spin[i], *wj = atoms.spin[j];
+    const double *xj = atoms.x[j], *vj = atoms.v[j], *wj = atoms.spin[j];
     for (std::size_t d = 0; d < 3; ++d) {
-      block.branch[d][c] = xj[d] - xi[d];
-      block.velocity[d][c] = vj[d] - vi[d];
-      block.spin1[d][c] = wi[d];
+      block.branch[d][c] = xj[d] - one.x[d];
+      block.velocity[d][c] = vj[d] - one.v[d];
+      block.spin1[d][c] = one.spin[d];
       block.spin2[d][c] = wj[d];
     }
     for (std::size_t s = 0; s < Law::state_size; ++s) block.state[s][c] = contact.history[s];
@@ -469,33 +504,52 @@ class PairContactLaws : public LAMMPS_NS::Pair {
     block.template step<Number>(pair.law, pair.moduli, dt);
     const std::size_t count = block.count;
     Heat heat = total;
-    for (std::size_t c = 0; c < count; ++c) {
-      const Contact& contact = pair.contacts[c];
-      store(contact, block.active[c] != 0.0, [&block, c] { return block.state_of(c); });
-      const double on_j[3] = {block.force[0][c], block.force[1][c], block.force[2][c]};
-      const double turns_i[3] = {block.torque1[0][c], block.torque1[1][c], block.torque1[2][c]};
-      const double turns_j[3] = {block.torque2[0][c], block.torque2[1][c], block.torque2[2][c]};
-      add(atoms, contact, on_j, turns_i, turns_j, block.friction_work[c], block.dashpot_work[c], heat);
-      if (evflag != 0) tally(pair, contact, on_j);
+    for (std::size_t c = 0; c < count;) {
+      const int i = pair.contacts[c].i;
+      Sum sum(atoms, i);
+      for (; c < count && pair.contacts[c].i == i; ++c) {
+        const Contact& contact = pair.contacts[c];
+        const bool active = block.active[c] != 0.0;
+        if constexpr (yields)
+          if (!active)
+            heat.yielding +=
+                share_of(contact) * yielding(pair, properties_of(pair, atoms.mass, contact.i, contact.j), contact);
+        store(contact, active, block.state_of(c));
+        const double on_j[3] = {block.force[0][c], block.force[1][c], block.force[2][c]};
+        const double turns_i[3] = {block.torque1[0][c], block.torque1[1][c], block.torque1[2][c]};
+        const double turns_j[3] = {block.torque2[0][c], block.torque2[1][c], block.torque2[2][c]};
+        add(atoms, contact, on_j, turns_i, turns_j, block.friction_work[c], block.dashpot_work[c], sum, heat);
+        if (evflag != 0) tally(pair, contact, on_j);
+      }
+      sum.store(atoms);
     }
     block.count = 0;
     total = heat;
   }
 
-  /// The history of a contact after its step; LAMMPS forgets that of one which is not active.
-  template <class State>
-  static void store(const Contact& contact, bool active, const State& state) {
-    *contact.touch = active;
-    Law::store(active ? state() : typename Law::State{}, contact.history);
+  /// Heat of yielding since the contact was new, as its stored history has it [J].
+  static double yielding(const TypePair& pair, const PairProperties<double>& properties, const Contact& contact) {
+    return pair.law.normal.plastic_dissipation(Law::load(contact.history), properties);
+  }
+  /// What this rank counts of a contact's energies: half, where the owner of atom j counts the other half.
+  double share_of(const Contact& contact) const {
+    return force->newton_pair != 0 || contact.j < atom->nlocal ? 1.0 : 0.5;
   }
 
-  /// Adds a contact's force and torques to its atoms, and its heat to the sums.
-  CONTACTLAWS_INLINE void add(const Atoms& atoms, const Contact& contact, const double* on_j, const double* turns_i,
-                              const double* turns_j, double friction, double dashpots, Heat& heat) {
+  /// The history of a contact after its step; LAMMPS forgets that of one which is not active.
+  CONTACTLAWS_INLINE static void store(const Contact& contact, bool active, const typename Law::State& state) {
+    *contact.touch = active;
+    Law::store(state, contact.history);
+    if (!active) std::fill_n(contact.history, Law::state_size, 0.0);
+  }
+
+  /// Adds a contact's force and torques to those of its atoms, and its heat to the sums.
+  template <class Vector>
+  CONTACTLAWS_INLINE void add(const Atoms& atoms, const Contact& contact, const Vector& on_j, const Vector& turns_i,
+                              const Vector& turns_j, double friction, double dashpots, Sum& on_i, Heat& heat) {
     const bool both = atoms.newton != 0 || contact.j < atoms.owned;
-    double *const fi = atoms.force[contact.i], *const ti = atoms.torque[contact.i];
-    for (int d = 0; d < 3; ++d) fi[d] -= on_j[d];
-    for (int d = 0; d < 3; ++d) ti[d] += turns_i[d];
+    for (int d = 0; d < 3; ++d) on_i.force[d] -= on_j[d];
+    for (int d = 0; d < 3; ++d) on_i.torque[d] += turns_i[d];
     if (both) {
       double *const fj = atoms.force[contact.j], *const tj = atoms.torque[contact.j];
       for (int d = 0; d < 3; ++d) fj[d] += on_j[d];
@@ -507,14 +561,17 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   }
 
   /// Adds energy and virial; after the history is stored.
-  void tally(const TypePair& pair, const Contact& contact, const double* on_j) {
+  template <class Vector>
+  void tally(const TypePair& pair, const Contact& contact, const Vector& on_j) {
     const int i = contact.i, j = contact.j;
     const double *xi = atom->x[i], *xj = atom->x[j], ri = atom->radius[i], rj = atom->radius[j];
     const Vec3<double> branch(xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]);
     double energy = 0.0;
-    if (eflag_either != 0)
-      energy = pair.law.stored_energy(properties_of(pair, masses(), i, j), ri + rj - norm<double>(branch),
-                                      Law::load(contact.history));
+    if (eflag_either != 0) {
+      const PairProperties<double> properties = properties_of(pair, masses(), i, j);
+      energy = pair.law.stored_energy(properties, ri + rj - norm<double>(branch), Law::load(contact.history));
+      if constexpr (yields) yielding_of_closed_ += share_of(contact) * yielding(pair, properties, contact);
+    }
     ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, on_j[0], on_j[1], on_j[2], branch[0], branch[1],
                  branch[2]);
   }
@@ -528,6 +585,8 @@ class PairContactLaws : public LAMMPS_NS::Pair {
   LAMMPS_NS::FixNeighHistory* history_ = nullptr;
   LAMMPS_NS::Fix* rigid_ = nullptr;
   int frozen_ = 0;  ///< group bit of fix freeze
+  // Heat of yielding [J]: of contacts that have opened, and of those that touch, in a step that counts energies.
+  double yielding_of_opened_ = 0.0, yielding_of_closed_ = 0.0;
 };
 
 }  // namespace contactlaws

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Builds the report cards of the hosts that are installed, runs them and writes docs/report_cards.md's tables.
 
-    python3 examples/hosts/report_cards/run.py              prints the tables; results in build/results/report_cards/
+    python3 examples/hosts/report_cards/run.py [HOST]...    prints the tables; results in build/results/report_cards/
     python3 examples/hosts/report_cards/run.py --publish    also writes them, and the paths of failures, into docs/, where the page
                                                             has a section of this version
 
-Hosts: LAMMPS (lammps, liblammps-dev), LIGGGHTS (liggghts, libliggghts-dev), both with mpi-default-dev. Skips (77) without one.
+Hosts: lammps (lammps, liblammps-dev) and liggghts (liggghts, libliggghts-dev), both with mpi-default-dev; and yade, minutes long and
+therefore only where it is named. Skips (77) without one.
 """
 
 import argparse
@@ -28,6 +29,10 @@ def run(*command, **options):
     return subprocess.run([str(part) for part in command], check=True, text=True, **options)
 
 
+def eigen():
+    return run("pkg-config", "--cflags-only-I", "eigen3", stdout=subprocess.PIPE).stdout.replace("-I", "-isystem").split()
+
+
 def headers_of(host):
     """The folder of the host's headers, or None where it is not installed."""
     if not shutil.which("mpicxx"):
@@ -45,24 +50,55 @@ def headers_of(host):
     return folder
 
 
+def lines_of(host, said):
+    (RESULTS / f"{host}.jsonl").write_text(said)
+    return [json.loads(line) for line in said.splitlines() if line.startswith("{")]
+
+
+def yade_card():
+    """YADE has no headers: it runs as a program of its own, beside the checks, with a pipe each way."""
+    if not shutil.which("yade"):
+        print("yade: skipped, it is not here", file=sys.stderr)
+        return None
+    program, folder = RESULTS / "report_card_yade", RESULTS / "paths" / "yade"
+    flags = [flag for flag in FLAGS if "MPI" not in flag and flag != "-fpermissive"]
+    run("g++", *flags, *eigen(), f"-I{ROOT}/include", f"-I{ROOT}", HERE / "yade.cpp", "-o", program)
+    folder.mkdir(parents=True, exist_ok=True)
+    for pipe in (folder / "to_yade", folder / "from_yade"):
+        pipe.unlink(missing_ok=True)
+        os.mkfifo(pipe)
+    log, lines = folder / "yade.log", folder / "lines"
+    with open(log, "w") as of_yade, open(lines, "w") as said:
+        yade = subprocess.Popen(["yade", "-n", "-x", HERE / "yade_two_particles.py", folder], stdout=of_yade, stderr=of_yade)
+        checks = subprocess.Popen([program, folder], stdout=said)
+    yade.wait()  # until the checks close its pipe
+    try:
+        status = checks.wait(timeout=10)
+    except subprocess.TimeoutExpired:  # YADE has gone, and they still wait for it
+        checks.kill()
+        status = "none"
+    if status != 0:
+        sys.exit(f"{program}: exit status {status}; YADE said: {log.read_text()[-2000:]}")
+    return lines_of("yade", lines.read_text())
+
+
 def card(host):
     """The lines of a host's report card, or None."""
+    if host == "yade":
+        return yade_card()
     headers = headers_of(host)
     if headers is None:
         print(f"{host}: skipped, it or its headers are not here", file=sys.stderr)
         return None
     program = RESULTS / f"report_card_{host}"
-    eigen = run("pkg-config", "--cflags-only-I", "eigen3", stdout=subprocess.PIPE).stdout.replace("-I", "-isystem").split()
     defines = ["-DLAMMPS_SMALLBIG"] if host == "lammps" else []
-    run("mpicxx", *FLAGS, *defines, "-isystem", headers, *eigen, f"-I{ROOT}/include", f"-I{ROOT}", HERE / f"{host}.cpp", "-o", program,
+    run("mpicxx", *FLAGS, *defines, "-isystem", headers, *eigen(), f"-I{ROOT}/include", f"-I{ROOT}", HERE / f"{host}.cpp", "-o", program,
         f"-l{host}")
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     card_run = subprocess.run([program, RESULTS / "paths" / host], capture_output=True, text=True, env=environment)
     if card_run.returncode:  # libliggghts warns of its own tables: shown on failure only
         sys.exit(f"{program}: exit status {card_run.returncode}: {card_run.stderr[-2000:]}")
-    said = card_run.stdout
-    (RESULTS / f"{host}.jsonl").write_text(said)
-    return [json.loads(line) for line in said.splitlines() if line.startswith("{")]
+    return lines_of(host, card_run.stdout)
 
 
 def table(lines):
@@ -103,9 +139,13 @@ def publish(lines):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--publish", action="store_true")
+    parser.add_argument("hosts", nargs="*", metavar="HOST", help="lammps, liggghts or yade; without one, the first two")
     options = parser.parse_args()
+    hosts = options.hosts or ["lammps", "liggghts"]
+    if not set(hosts) <= {"lammps", "liggghts", "yade"}:
+        parser.error("HOST is lammps, liggghts or yade")
     RESULTS.mkdir(parents=True, exist_ok=True)
-    cards = {host: card(host) for host in ("lammps", "liggghts")}
+    cards = {host: card(host) for host in hosts}
     for lines in cards.values():
         if lines is None:
             continue

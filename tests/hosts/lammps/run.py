@@ -392,6 +392,9 @@ def test_walls():
     row = run("wall.lmp", wall=wall_of("dry_hill", shape="zcylinder 0.02"), motion="moved", x=0.015, vx=0.1, vz=0,
               steps=10000)[0][-1]
     check("inside a cylinder", -row["fx"], push(1e-5, radius=1 / (1 / r - 0.5 / 0.02)), 1e-7)
+    row = run("wall.lmp", wall=wall_of("dry_hill", shape="zcylinder 0.02"), motion="moved", x=0.025, vx=-0.1, vz=0,
+              steps=10000)[0][-1]
+    check("outside a cylinder", row["fx"], push(1e-5, radius=1 / (1 / r + 0.5 / 0.02)), 1e-7)
     row = run("wall.lmp", wall=wall_of("dry_hill", shape="xplane NULL 0.02"), motion="moved", x=0.015, vx=0.1, vz=0,
               steps=10000)[0][-1]
     check("upper wall", -row["fx"], push(1e-5), 1e-7)
@@ -408,11 +411,74 @@ def test_walls():
     # A sphere that shears on the wall and crosses the boundary between ranks; then from a restart file.
     style = dict(wall=f"wall/contactlaws/dry_hill zplane 0 NULL {soft} friction 10", x=-0.001, z=0.00495, vx=2, vz=0, dt=1e-6,
                  steps=2000, keep="yes", file=f"{scratch.name}/wall")
+    style["wall"] += " wiggle z 1e-5 3e-3"
     one, two = (run("wall.lmp", ranks=ranks, px=ranks, back=2000, **style) for ranks in (1, 2))
     expect("wall: two ranks as one", close(one[1], two[1], 0.0, ("x", "fx", "fz", "wy")) and abs(one[1][-1]["wy"]) > 1)
     for ranks in (1, 2):
         again = run("wall_restarted.lmp", ranks=ranks, back=2000, **{k: style[k] for k in ("wall", "file")})[0]
         expect(f"wall: restart on {ranks} ranks", close(one[1], again, 1e-9, ("x", "fx", "fz")))
+
+
+def test_moving_walls():
+    """Displacement and speed of a wall: closed forms, and wall/gran with the same law; the wall's part in the virial."""
+    r = 0.005
+    still = dict(motion="moved", vx=0, vz=0, steps=10000)  # the sphere is held, the wall moves for 0.1 ms
+
+    def push(overlap):
+        return 4 / 3 * e_star * math.sqrt(r) * overlap**1.5
+
+    for motion, overlap in (("velocity z 0.1", 1e-5), ("wiggle z 5e-6 2e-4", 1e-5), ("wiggle z 1e-5 4e-4", 1e-5)):
+        row = run("wall.lmp", wall=wall_of("dry_hill", motion), **still)[0][-1]
+        check(f"{motion}: force on a sphere at rest", row["fz"], push(overlap), 1e-7)
+    row = run("wall.lmp", wall=wall_of("dry_hill", "restitution 0.6 velocity z 0.3"), vz=0)[0][-1]
+    check("a wall that hits a sphere at rest", row["vz"], 0.3 * 1.6, 2e-5)
+
+    # Pressed by 10 um in 0.1 ms while the wall's surface moves: as LAMMPS's own wall of the same law.
+    pressed = dict(motion="moved", vz=-0.1, vx=0.01, steps=10000)
+    kn, kt = 4 / 3 * e_star, 8 * g_star
+    for motion, mu in (("shear x 0.05", 10), ("shear y -0.05", 10), ("shear x 5", 0.4), ("wiggle x 1e-5 3e-4", 10), ("wiggle z 3e-6 3e-4", 10)):
+        mine = run("wall.lmp", wall=wall_of("dry_hill/displacement", f"friction {mu} {motion}"), **pressed)[0][-1]
+        peer = run("wall.lmp", wall=f"wall/gran hertz/history {kn} {kt} 1e-9 0 {mu} 0 zplane 0 NULL {motion}", ours="no",
+                   **pressed)[0][-1]
+        size = math.hypot(mine["fx"], mine["fy"])
+        expect(f"{motion}: shears", size > 0.1)
+        for key in ("fx", "fy", "fz"):
+            check(f"{motion}, mu {mu}: {key} beside wall/gran", 2 * size + mine[key], 2 * size + peer[key], 1e-6)
+    round_about = dict(motion="moved", bounds="f f f", x=0.015, vx=0.1, vz=0, steps=10000)
+    for motion, key in (("shear x 0.05", "fy"), ("shear z 0.05", "fz"), ("wiggle z 1e-5 3e-4", "fz"), ("velocity z 0.05", "fz")):
+        mine = run("wall.lmp", wall=wall_of("dry_hill/displacement", f"friction 10 {motion}", shape="zcylinder 0.02"),
+                   **round_about)[0][-1]
+        if "velocity" in motion:
+            expect("a cylinder that moves drags", mine[key] > 1)
+            continue
+        if key == "fz":
+            check(f"cylinder, {motion}: virial xz", mine["virial[5]"] * mine["Volume"], (mine["x"] - 0.02) * mine["fz"], 1e-9)
+        peer = run("wall.lmp", wall=f"wall/gran hertz/history {kn} {kt} 1e-9 0 10 0 zcylinder 0.02 {motion}", ours="no",
+                   **round_about)[0][-1]
+        # Both forces grow as the root of the effective radius, which wall/gran takes as that of a sphere in a sphere.
+        check(f"cylinder, {motion}: {key} beside wall/gran", mine[key] / mine["fx"] * peer["fx"], peer[key], 1e-6)
+
+    row = run("wall.lmp", wall=wall_of("dry_hill", "friction 10"), **pressed)[0][-1]
+    check("virial of a wall: zz", row["virial[3]"] * row["Volume"], row["z"] * row["fz"], 1e-9)
+
+
+def test_yield():
+    """Spheres that yield: the heat of yielding is what an impact loses, between spheres and on a wall."""
+    metal = "young 70e9 poisson 0.33 yield_pressure 500e6"
+    lost = mass1 * mass2 / (mass1 + mass2) / 2 * 0.3**2
+    for how in ("scalar", "packs"):
+        for ranks, newton in ((1, "on"), (2, "off")):
+            table = run("impact.lmp", style=f"contactlaws/plastic_grains {how}", coeff=metal, steps=30000, dt=5e-9, ours="yes",
+                        ranks=ranks, px=ranks, newton=newton)[0]
+            after = table[-1]
+            restitution = (after["v2z"] - after["v1z"]) / 0.3
+            expect(f"plastic {how}: loses energy, {restitution}", 0.3 < restitution < 0.9)
+            check(f"plastic {how}, {ranks} ranks: heat of yielding", after["yielding"], lost * (1 - restitution**2), 1e-4)
+    r = 0.005
+    row = run("wall.lmp", wall=f"wall/contactlaws/plastic_grains zplane 0 NULL {metal}", steps=30000)[0][-1]
+    kinetic = density * 4 / 3 * math.pi * r**3 * (0.3**2 - row["vz"]**2) / 2
+    expect("plastic wall: bounces", 0.03 < row["vz"] < 0.27)
+    check("plastic wall: heat of yielding", row["wall[6]"], kinetic, 1e-4)
 
 
 def test_pour():
@@ -466,6 +532,12 @@ def test_bad_input():
             ("dry_hill zplane 0 NULL young", "a value is missing after young"),
             ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 wall_young 0", "young is 0 Pa, must lie in (0, inf)"),
             ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 wet 0", "no parameter 'wet'"),
+            ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 shear z 1", "a plane shears along itself"),
+            ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 wiggle w 1 1", "along x, y or z, not 'w'"),
+            ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 wiggle z 1", "a value is missing after wiggle"),
+            ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 wiggle z 1 0", "period is 0 s, must lie in (0, inf)"),
+            ("dry_hill zplane 0 NULL young 1e9 poisson 0.2 velocity z 1 shear x 1", "one motion, not shear too"),
+            ("dry_hill zcylinder 1 young 1e9 poisson 0.2 velocity x 1", "a cylinder moves along z"),
             ("hill zplane 0 NULL young 1e9 poisson 0.2 suction -1", "suction is -1 Pa")):
         output = start("wall.lmp", wall=f"wall/contactlaws/{wall}")
         expect(f"wall {wall}: error '{message}' in: {[l for l in output.splitlines() if 'ERROR' in l]}",
