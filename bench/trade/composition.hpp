@@ -95,6 +95,7 @@ inline std::vector<LawSpec> other_histories(const LawSpec& law) {
   std::vector<LawSpec> others;
   for (const KeyTable& history : keys_of(contact_path::shear_laws())) {
     if (!law.shear.acts() || history.name == "none" || history.name == law.shear.law) continue;
+    if (history.name == "partial_slip") continue;  // the fullest: the others are simplifications of it
     others.push_back(law);
     others.back().shear.law = history.name;
   }

@@ -21,6 +21,9 @@ inline constexpr bool is_measured<Dashpots<T, tension, ShearDashpot::given>> = f
 template <class T, Stored stored, Unloading unloading, class Stiffness, class Rotation>
 inline constexpr bool is_measured<IncrementalShear<T, stored, unloading, Stiffness, Rotation, StaticKinetic<T>>> =
     false;
+template <class T, class Rotation, int corners>
+inline constexpr bool is_measured<MindlinDeresiewicz<T, Rotation, corners>> =
+    std::is_same_v<MindlinDeresiewicz<T, Rotation, corners>, MindlinDeresiewicz<T>>;
 template <class T, Stored stored, Unloading unloading, class Rotation>
 inline constexpr bool is_measured<IncrementalShear<T, stored, unloading, ElasticRatio<T>, Rotation, Coulomb<T>>> =
     false;

@@ -150,9 +150,10 @@ class AnyShear {
   using Input = contactlaws::ShearInput<T>;
   using Response = contactlaws::ShearResponse<T>;
   static constexpr bool acts = true;
-  static constexpr std::size_t room = 8;
+  static constexpr std::size_t room = 52;  // partial slip with 12 corners, rotated exactly
   struct State {
-    std::array<T, room> shear = {T(0), T(0), T(0), T(0), T(0), T(0), T(0), T(0)};
+    State() { shear.fill(T(0)); }
+    std::array<T, room> shear;
   };
   static constexpr std::array<StateValue, room> state_values() { return {}; }
 
@@ -164,16 +165,14 @@ class AnyShear {
           return law.stiffness(pair, normal);
         }) {
     using History = contactlaws::IncrementalShear<T, stored, unloading, contactlaws::Mindlin<T>, Rotation, Friction>;
-    const History history{{}, law};
-    names = detail::names_of<History, room>();
-    respond_ = [history](T* values, const Input& input, bool damped) {
-      typename History::State state = detail::load<History, T>(values);
-      const Response response =
-          damped ? history.template respond<true>(state, input) : history.template respond<false>(state, input);
-      detail::store<History, T>(state, values);
-      return response;
-    };
-    energy_ = [history](const T* values, const T& k) { return history.energy(detail::load<History, T>(values), k); };
+    remember(History{{}, law});
+  }
+  template <class Rotation, int corners>
+  explicit AnyShear(const contactlaws::MindlinDeresiewicz<T, Rotation, corners>& law)
+      : stiffness([](const PairProperties<T>& pair, const contactlaws::AdhesiveResponse<T>& normal) {
+          return contactlaws::Mindlin<T>{}.stiffness(pair, normal);
+        }) {
+    remember(law);
   }
 
   std::array<StateValue, room> names;
@@ -186,6 +185,19 @@ class AnyShear {
   T energy(const State& state, const T& k) const { return energy_(state.shear.data(), k); }
 
  private:
+  template <class History>
+  void remember(const History& history) {
+    names = detail::names_of<History, room>();
+    respond_ = [history](T* values, const Input& input, bool damped) {
+      typename History::State state = detail::load<History, T>(values);
+      const Response response =
+          damped ? history.template respond<true>(state, input) : history.template respond<false>(state, input);
+      detail::store<History, T>(state, values);
+      return response;
+    };
+    energy_ = [history](const T* values, const T& k) { return history.energy(detail::load<History, T>(values), k); };
+  }
+
   std::function<Response(T*, const Input&, bool)> respond_;
   std::function<T(const T*, const T&)> energy_;
 };

@@ -158,6 +158,9 @@ struct DashpotsLaw {
   auto operator()(const Given<T>& given, const Use& use) const;
 };
 
+inline WordKey rotation_key() {
+  return {"rotation", {"project_restore", "project", "rotate"}, "how the history follows the contact plane"};
+}
 template <Stored stored, Unloading unloading>
 struct ShearLaw {
   template <class T, class Use>
@@ -196,7 +199,7 @@ Entry<ShearLaw<stored, unloading>> shear_law(const std::string& name, const std:
         number_key<Shear>("static_friction", Presence::optional, "of a contact that sticks; default: friction"),
         number_key<Shear>("ratio", Presence::optional,
                           "of constant_ratio and elastic_ratio; default: Mindlin's to Hertz's, 4 G*/E* of the pair")},
-       {{"rotation", {"project_restore", "project", "rotate"}, "how the history follows the contact plane"},
+       {rotation_key(),
         {"stiffness",
          {"default", "mindlin", "constant_ratio", "elastic_ratio"},
          "8 G* a, or ratio times the normal law's tangent or elastic tangent; default: mindlin where the normal law "
@@ -205,6 +208,20 @@ Entry<ShearLaw<stored, unloading>> shear_law(const std::string& name, const std:
        {}},
       {}};
 }
+
+struct PartialSlipLaw {
+  template <class T, class Use>
+  auto operator()(const Given<T>& given, const Use& use) const {
+    const auto with = [&](auto rotation) {
+      const auto built = [&](auto shear) { return use(checked(given.chosen.template filled<T>(shear))); };
+      if (given.chosen.word("corners") == "12") return built(MindlinDeresiewicz<T, decltype(rotation), 12>{});
+      return built(MindlinDeresiewicz<T, decltype(rotation)>{});
+    };
+    if (given.chosen.word("rotation") == "project") return with(rotation::Project<T>{});
+    if (given.chosen.word("rotation") == "rotate") return with(rotation::Rotate<T>{});
+    return with(rotation::ProjectRestore<T>{});
+  }
+};
 
 }  // namespace detail
 
@@ -269,7 +286,19 @@ inline const auto& shear_laws() {
       shear_law<Stored::displacement, Unloading::keeps>("displacement",
                                                         "history: the shear displacement d; force = -k d"),
       shear_law<Stored::displacement, Unloading::rescales>("displacement_rescaled",
-                                                           "the same, times k/k_before where k falls")};
+                                                           "the same, times k/k_before where k falls"),
+      Entry<PartialSlipLaw>{{"partial_slip",
+                             "Mindlin and Deresiewicz: the edge slips while the centre sticks; beside a normal law "
+                             "with a contact radius that "
+                             "does not pull",
+                             {},
+                             number_keys<MindlinDeresiewicz<double>>(),
+                             {rotation_key(),
+                              {"corners", {"4", "12"}, "of the history: how much of it is kept"},
+                              {"stiffness", {"default", "mindlin"}, "8 G* a"}},
+                             {},
+                             {}},
+                            {}}};
   return laws;
 }
 
@@ -447,11 +476,21 @@ inline void check(LawSpec& law) {
   if (!law.shear.acts()) return;
 
   const PairProperties<double> unused{};
+  const bool pulls = with_law(normal_laws(), Given<double>{law.normal, unused, law}, [](const auto& normal) {
+    return contactlaws::detail::adheres<std::decay_t<decltype(normal)>>;
+  });
   const bool has_radius = with_law(normal_laws(), Given<double>{law.normal, unused, law}, [](const auto& normal) {
     return detail::has_contact_radius<std::decay_t<decltype(normal)>>;
   });
   std::string& stiffness = law.shear.words["stiffness"];
   if (stiffness == "default") stiffness = has_radius ? "mindlin" : "constant_ratio";
+  if (law.shear.law == "partial_slip") {
+    if (!has_radius || pulls)
+      law.shear.refuse(
+          "law",
+          "is partial_slip, which needs a normal law with a contact radius that does not pull, not " + law.normal.law);
+    stiffness = "mindlin";
+  }
   if (stiffness == "mindlin") {
     if (!has_radius) law.shear.refuse("stiffness", "is \"mindlin\", but " + law.normal.law + " has no contact radius");
     if (law.shear.has("ratio"))

@@ -47,7 +47,7 @@ struct ContactLaw {
                 "slot 5 of a ContactLaw is a rolling law of the same scalar: contactlaws/rolling/");
   static_assert(detail::stiffness_fits<Normal, Shear>,
                 "this shear stiffness needs a normal law with a contact radius (Mindlin beside Hertz); "
-                "beside others take ConstantRatio or ElasticRatio");
+                "beside others take ConstantRatio or ElasticRatio; partial slip is not for laws that pull");
 
   Normal normal = Normal();
   Damping damping = Damping();

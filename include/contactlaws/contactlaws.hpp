@@ -6,4 +6,5 @@
 #include "contactlaws/damping/restitution.hpp"
 #include "contactlaws/energy.hpp"
 #include "contactlaws/laws.hpp"
+#include "contactlaws/tangential/mindlin_deresiewicz.hpp"
 #include "contactlaws/timestep.hpp"

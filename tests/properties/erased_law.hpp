@@ -34,15 +34,18 @@ constexpr bool may_pull = false;
 template <class T, ShearDashpot shear>
 constexpr bool may_pull<Dashpots<T, Tension::allowed, shear>> = true;
 
-/// Whether a law claims never to create energy: no shear, a rescaled force, or a shear stiffness that never changes.
+/// Whether a law claims never to create energy: no shear, a rescaled force, partial slip, or a shear stiffness that never
+/// changes.
 template <class Shear>
-constexpr bool rescales_force = false;
+constexpr bool never_gains = false;
 template <class T, class Stiffness, class Rotation, class Friction>  // by name: g++ 14 fails on a pack of them
-constexpr bool rescales_force<IncrementalShear<T, Stored::force, Unloading::rescales, Stiffness, Rotation, Friction>> =
+constexpr bool never_gains<IncrementalShear<T, Stored::force, Unloading::rescales, Stiffness, Rotation, Friction>> =
     true;
+template <class T, class Rotation, int corners>
+constexpr bool never_gains<MindlinDeresiewicz<T, Rotation, corners>> = true;
 template <class Law>
 constexpr bool conserves_energy =
-    !decltype(Law::rolling)::acts && (!has_shear<Law> || rescales_force<decltype(Law::shear)> ||
+    !decltype(Law::rolling)::acts && (!has_shear<Law> || never_gains<decltype(Law::shear)> ||
                                       std::is_same_v<decltype(Law::normal), LinearSpring<typename Law::Scalar>> ||
                                       std::is_same_v<decltype(Law::normal), LinearModulus<typename Law::Scalar>>);
 
@@ -66,7 +69,7 @@ template <class T>
 class ErasedLaw {
  public:
   using Scalar = T;
-  static constexpr std::size_t most_values = 16;
+  static constexpr std::size_t most_values = 20;
   using State = std::array<T, most_values>;  ///< the law's own values, then zeros
 
   struct Parameter {

@@ -63,6 +63,7 @@ void visit_each_slot(const Visit& visit) {
   visit("Dmt", 3, compose(Dmt<T>{0.05}, s.two_constants, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("ThorntonNing", 4, compose(ThorntonNing<T>{3e8}, s.undamped, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("CohesivePowder", 7, compose(Jkr<T>{0.5}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
+  visit("MindlinDeresiewicz", 17, compose(s.hertz, s.damped, MindlinDeresiewicz<T>{{}, {0.4}}, s.dry));
   visit("Hertz rolling", 6, compose(s.hertz, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit(
       "Static and kinetic friction", 5,
@@ -100,6 +101,10 @@ void visit_laws(const Visit& visit) {
         compose(s.hertz, s.clipped, ShearForceRescaled<T, Mindlin<T>, Project<T>>{s.mindlin, 0.5}, s.dry));
   visit("ForceRescaled", 4, compose(s.hertz, s.undamped, ShearForceRescaled<T>{s.mindlin, 0.5}, s.dry));
   visit("Displacement", 4, compose(s.hertz, s.damped, ShearDisplacement<T>{s.mindlin, 0.5}, s.wet));
+  visit("MindlinDeresiewicz Rotate", 20,
+        compose(s.hertz, s.undamped, MindlinDeresiewicz<T, Rotate<T>>{{}, {0.5}}, s.dry));
+  visit("MindlinDeresiewicz yields", 18,
+        compose(ThorntonNing<T>{3e8}, s.undamped, MindlinDeresiewicz<T>{{}, {0.4}}, s.dry));
   visit("Displacement Rotate", 6,
         compose(s.spring, s.clipped, ShearDisplacement<T, ConstantRatio<T>, Rotate<T>>{s.ratio, 0.5}, s.dry));
   visit("DisplacementRescaled Project", 5,
