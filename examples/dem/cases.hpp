@@ -21,6 +21,8 @@ namespace dem {
 /// What a running case reports to.
 class CaseControl {
  public:
+  /// Of a short run, which keeps no file.
+  CaseControl() = default;
   /// `settings` say what a file must have been computed with to be taken up.
   CaseControl(std::string file, nlohmann::json settings) : file_(std::move(file)), settings_(std::move(settings)) {
     std::ifstream stream(file_);
@@ -38,12 +40,12 @@ class CaseControl {
   bool has_result() const { return kept_.contains("result"); }
   const nlohmann::json& result() const { return kept_.at("result"); }
 
-  /// Takes up the state of an earlier run. Whether there was one.
+  /// Takes up the state of an earlier run, the scene first. Whether there was one.
   template <class Scene, class State>
   bool resume(Scene& scene, State& state) {
     if (!kept_.contains("scene")) return false;
-    kept_.at("state").get_to(state);
     scene_from_json(kept_.at("scene"), scene);
+    kept_.at("state").get_to(state);
     kept_ = nlohmann::json();
     return true;
   }
@@ -62,6 +64,7 @@ class CaseControl {
   /// Writes a checkpoint.
   template <class Scene, class State>
   void save(const Scene& scene, const State& state) {
+    if (file_.empty()) return;
     write_checkpoint(file_, {{"settings", settings_}, {"state", state}, {"scene", scene_to_json(scene)}});
     saved_ = std::chrono::steady_clock::now();
   }

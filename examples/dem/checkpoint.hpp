@@ -38,10 +38,12 @@ struct adl_serializer<contactlaws::ContactBody<double>> {
 template <>
 struct adl_serializer<dem::Wall> {
   static void to_json(json& list, const dem::Wall& w) {
-    list = {w.side, w.point, w.facing, w.velocity, w.force, w.radius, w.radial_velocity, w.normal_force};
+    list = {w.side,         w.point, w.facing, w.velocity, w.force, w.radius, w.radial_velocity,
+            w.normal_force, w.spin,  w.torque, w.extent};
   }
   static void from_json(const json& list, dem::Wall& w) {
-    w = {list.at(0), list.at(1), list.at(2), list.at(3), list.at(4), list.at(5), list.at(6), list.at(7)};
+    w = {list.at(0), list.at(1), list.at(2), list.at(3), list.at(4), list.at(5),
+         list.at(6), list.at(7), list.at(8), list.at(9), list.at(10)};
   }
 };
 

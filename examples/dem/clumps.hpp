@@ -37,6 +37,11 @@ struct Clump {
   std::size_t first = 0, last = 0;  ///< its pebbles are the balls first .. last - 1
 
   double kinetic_energy() const { return 0.5 * (mass * velocity.squaredNorm() + spin.dot(angular_momentum)); }
+  /// Whether no point of the clump is farther than `allowed` [m] from where it was `then`.
+  bool is_near(const Clump& then, double allowed) const {
+    const double turn = 2.0 * (orientation * then.orientation.conjugate()).vec().norm();  // a chord of the unit circle
+    return (position - then.position).norm() + turn * reach <= allowed;
+  }
 };
 
 class Clumps {
@@ -93,7 +98,7 @@ class Clumps {
     bool moved_far = scene.begin_step();
     for (std::size_t i = 0; i < size(); ++i) {
       move(all[i], scene, kick, drift);
-      moved_far = moved_far || !near_its_listing(all[i], listed_[i], scene.allowed_motion());
+      moved_far = moved_far || !all[i].is_near(listed_[i], scene.allowed_motion());
     }
     if (moved_far) {
       place_all(scene);
@@ -121,11 +126,12 @@ class Clumps {
     note_listing(scene);
   }
 
-  /// From now on each step places this pebble, whether or not it may touch something.
-  void keep_placed(std::size_t ball) {
-    kept_.resize(std::max(kept_.size(), ball + 1), 0);
-    kept_[ball] = 1;
-    listing_ = -1;
+  /// From now on each step places these pebbles too, whether or not they have listed contacts in this scene.
+  template <class Scene>
+  void keep_placed(const Scene& scene, const std::vector<std::size_t>& pebbles) {
+    kept_.assign(scene.balls.size(), 0);
+    for (const std::size_t b : pebbles) kept_[b] = 1;
+    if (listing_ >= 0) list_active(scene);
   }
   /// Writes position, velocity and spin of all pebbles: a step writes only those that may touch something.
   template <class Scene>
@@ -141,7 +147,7 @@ class Clumps {
  private:
   std::vector<Vec3> arm_;              ///< of each ball, from the centre of its clump, in the frame of the clump [m]
   std::vector<char> kept_;             ///< whether each ball is placed in any case
-  std::vector<std::size_t> active_;    ///< pebbles with listed contacts, by clump
+  std::vector<std::size_t> active_;    ///< pebbles with listed contacts, and those kept placed, by clump
   std::vector<std::ptrdiff_t> start_;  ///< those of clump i are active_[start_[i]] to before active_[start_[i + 1]]
   std::vector<Clump> listed_;          ///< as they were when neighbours were listed
   std::int64_t listing_ = -1;          ///< the scene's number of listings then; -1 before the first
@@ -173,13 +179,6 @@ class Clumps {
     c.orientation = turned(c.orientation, c.spin * drift);
   }
 
-  /// Whether no point of the clump has moved farther than `allowed` [m] since neighbours were listed.
-  static bool near_its_listing(const Clump& now, const Clump& then, double allowed) {
-    const double turn =
-        2.0 * (now.orientation * then.orientation.conjugate()).vec().norm();  // a chord of the unit circle
-    return (now.position - then.position).norm() + turn * now.reach <= allowed;
-  }
-
   template <class Scene, class Ids>
   void place(Scene& scene, const Clump& c, Ids ids, const Ids& end) const {
     const Eigen::Matrix3d axes = c.orientation.toRotationMatrix();
@@ -196,6 +195,10 @@ class Clumps {
   void note_listing(const Scene& scene) {
     listing_ = scene.listings;
     listed_ = all;
+    list_active(scene);
+  }
+  template <class Scene>
+  void list_active(const Scene& scene) {
     std::vector<char> touched = kept_;
     touched.resize(scene.balls.size(), 0);
     for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c)

@@ -90,6 +90,9 @@ class Contacts {
   std::size_t second(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].second); }
 
   State state(std::size_t contact) const { return state_at(now_, contact); }
+  /// Whether `body` is the first, or the second, of a listed contact.
+  bool has_first(std::size_t body) const { return of_first_.start[body] < of_first_.start[body + 1]; }
+  bool has_second(std::size_t body) const { return of_second_.start[body] < of_second_.start[body + 1]; }
 
   contactlaws::PairProperties<double> pair(std::size_t contact) const {
     return pair_.map<double>([contact](const std::vector<double>& c) { return c.size() == 1 ? c[0] : c[contact]; });

@@ -16,7 +16,8 @@ class EnergyWatch {
   template <class Scene>
   void add_step(const Scene& scene) {
     for (const Wall& wall : scene.walls)
-      work_ -= (wall.force.dot(wall.velocity) + wall.normal_force * wall.radial_velocity) * scene.last_step;
+      work_ -= (wall.force.dot(wall.velocity) + wall.torque.dot(wall.spin) + wall.normal_force * wall.radial_velocity) *
+               scene.last_step;
   }
 
   /// To be called now and then, say every hundred steps. @throws std::runtime_error if the energy that the scene had at the last

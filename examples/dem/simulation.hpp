@@ -165,8 +165,11 @@ class Simulation {
   using Vec4 = Eigen::Vector4d;
 
   bool started_ = false;
-  double margin_ = 0.0;         ///< largest gap of two listed bodies that do not act on each other [m]
-  std::vector<Row> listed_at_;  ///< positions of balls, then of walls, when neighbours were listed [m]
+  double margin_ = 0.0;  ///< largest gap of two listed bodies that do not act on each other [m]
+  // When neighbours were listed:
+  std::vector<Row> listed_at_;  ///< positions of balls [m]
+  std::vector<Wall> listed_walls_;
+  std::vector<std::size_t> active_;  ///< balls with listed contacts, and those that no clump moves
 
   static std::size_t checked_id(int id, std::size_t count, const char* kind) {
     contactlaws::require_in({0.0, static_cast<double>(count), true, false}, id, "Simulation", kind, "1");
@@ -205,12 +208,8 @@ class Simulation {
       }
     });
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      Wall& wall = walls[w];
-      const Row& listed = listed_at_[balls.size() + w];
-      wall.point += wall.velocity * drift;
-      wall.radius += wall.radial_velocity * drift;
-      const double moved = (wall.point - listed).norm() + std::abs(wall.radius - listed.w);
-      if (moved * moved > allowed) far = true;
+      walls[w].move(drift);
+      if (walls[w].distance_from(listed_walls_[w]) > allowed_motion()) far = true;
     }
     return far;
   }
@@ -248,9 +247,14 @@ class Simulation {
         [this](std::size_t w, std::size_t b) { return contactlaws::pair_properties(walls[w].side, balls.side[b]); },
         wall_overlap);
     listed_at_ = balls.position;
-    for (const Wall& wall : walls) {
-      listed_at_.push_back(wall.point);
-      listed_at_.back().w = wall.radius;
+    listed_walls_ = walls;
+    active_.clear();
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+      if (balls.group[b] < 0 || ball_contacts.has_first(b) || ball_contacts.has_second(b) ||
+          wall_contacts.has_second(b))
+        active_.push_back(b);
+      else
+        balls.force[b] = balls.torque[b] = Vec3::Zero();
     }
   }
 
@@ -267,8 +271,9 @@ class Simulation {
       ball_contacts.evaluate(ball_law, ball_motion(), first, last);
     });
     wall_contacts.evaluate(wall_law, wall_motion(), 0, wall_contacts.size());
-    in_parallel(threads, balls.size(), 1, [this](std::size_t first, std::size_t last) {
-      for (std::size_t b = first; b < last; ++b) {
+    in_parallel(threads, active_.size(), 1, [this](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const std::size_t b = active_[i];
         Load load;
         ball_contacts.add_second(b, load);  // the other ball has the lower id: in the order of the list
         ball_contacts.add_first(b, load);
@@ -277,18 +282,13 @@ class Simulation {
         balls.torque[b] = load.torque.head<3>();
       }
     });
-    for (std::size_t w = 0; w < walls.size(); ++w) {
-      Load load;
-      wall_contacts.add_first(w, load);
-      walls[w].force = load.force.head<3>();
-      walls[w].normal_force = 0.0;
+    for (Wall& wall : walls) {
+      wall.force = wall.torque = Vec3::Zero();
+      wall.normal_force = 0.0;
     }
-    for (std::size_t c = 0; c < wall_contacts.size(); ++c) {
-      Wall& wall = walls[wall_contacts.first(c)];
-      Vec3 normal;
-      wall.nearest(balls.position[wall_contacts.second(c)], normal);
-      wall.normal_force += normal.dot(wall_contacts.force[c]);
-    }
+    for (std::size_t c = 0; c < wall_contacts.size(); ++c)
+      walls[wall_contacts.first(c)].add_contact(balls.position[wall_contacts.second(c)], wall_contacts.turning[c].w,
+                                                wall_contacts.force[c]);
   }
 };
 

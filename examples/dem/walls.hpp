@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walls: planes, and a cylinder with the balls inside. At rest or driven at a prescribed velocity.
+// Walls: planes, and a cylinder with the balls inside. At rest or driven at a prescribed velocity; a plane may turn too.
 #pragma once
 
 #include <array>
@@ -21,17 +21,38 @@ struct Wall {
   Vec3 force = Vec3::Zero();              ///< of all contacts on the wall [N]
   double radius = 0.0;                    ///< of a cylinder [m]
   double radial_velocity = 0.0;           ///< of a cylinder, outward [m/s]
-  double normal_force = 0.0;  ///< sum of the components along the normals of the contacts; compression > 0 [N]
+  double normal_force = 0.0;   ///< sum of the components along the normals of the contacts; compression > 0 [N]
+  Vec3 spin = Vec3::Zero();    ///< of a plane, about `point` [rad/s]
+  Vec3 torque = Vec3::Zero();  ///< of all contacts on the wall, about `point` [N m]
+  double extent = 0.0;         ///< of a plane that turns: largest distance of its contacts from `point` [m]
 
   /// The plane that a ball at `position` meets.
   contactlaws::BodyMotion<double> nearest(const Vec3& position, Vec3& normal) const {
     normal = facing;
-    if (!(radius > 0.0)) return {point, velocity, Vec3::Zero()};
+    if (!(radius > 0.0)) return {point, velocity, spin};
     const Vec3 from_axis = position - point;
     const Vec3 outward = from_axis - facing * facing.dot(from_axis);
     const double distance = outward.norm();
     normal = distance > 0.0 ? Vec3(-outward / distance) : Vec3(facing.unitOrthogonal());
     return {position - outward - normal * radius, velocity - normal * radial_velocity, Vec3::Zero()};
+  }
+
+  void move(double duration) {
+    point += velocity * duration;
+    radius += radial_velocity * duration;
+    if (spin != Vec3::Zero()) facing = (facing + spin.cross(facing) * duration).normalized();
+  }
+  /// Largest distance between a point of this wall and where it was `then` [m].
+  double distance_from(const Wall& then) const {
+    return (point - then.point).norm() + std::abs(radius - then.radius) + (facing - then.facing).norm() * extent;
+  }
+  /// Adds a contact with a ball at `position` [m], at `arm` [m] from its centre, with this force on the ball [N].
+  void add_contact(const Vec3& position, double arm, const Vec3& on_ball) {
+    Vec3 normal;
+    nearest(position, normal);
+    force -= on_ball;
+    torque -= Vec3(position - normal * arm - point).cross(on_ball);
+    normal_force += normal.dot(on_ball);
   }
 };
 

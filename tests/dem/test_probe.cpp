@@ -155,7 +155,7 @@ TEST_CASE("a test that was stopped goes on with the same bits") {
   }
   Test<ElastoPlastic> resumed(plan, shapes(), small_sample());
   dem::CaseControl control(file, {});
-  REQUIRE(resumed.take_up(control));
+  REQUIRE(control.resume(resumed.specimen.scene, resumed));
   CHECK(resumed.unbalanced() == whole.unbalanced());
   for (auto* test : {&whole, &resumed})
     for (int i = 0; i < (membrane ? 800 : 3000); ++i) test->step();

@@ -6,7 +6,8 @@
 // Bonds: the paper prints 1e3 N/m. Such a membrane balloons between grains and fails beyond 95 kPa. A triangular lattice of bonds k
 // is a sheet of stiffness E t = 2 k / sqrt(3) and Poisson's ratio 1/3; 4 mm of rubber of 1.4 MPa have k = 5e3 N/m, used here.
 //
-// The spheres are a scene of their own, with copies of the outer pebbles that grains move.
+// The spheres are a scene of their own, with copies of the outer pebbles that grains move. Only copies with listed contacts are
+// kept up to date; all are before neighbours are listed.
 #pragma once
 
 #include <array>
@@ -69,59 +70,67 @@ class Membrane {
 
   std::size_t spheres() const { return spheres_; }
 
-  /// Copies the outer pebbles of the clumps, whose places are kept up to date from now on.
+  /// Copies the outer pebbles of the grains.
   template <class Grains>
-  void surround(const Grains& grains, dem::Clumps& clumps) {
+  void surround(const Grains& grains) {
     const double inner = mean_radius() - settings_.reach;
     for (std::size_t b = 0; b < grains.balls.size(); ++b) {
       const Vec3 place = grains.balls.position[b];
       if (std::hypot(place.x(), place.y()) + grains.balls.radius[b] < inner) continue;
       scene.add(dem::Ball{grains.balls.side[b], place, Vec3::Zero(), Vec3::Zero(), false, pebbles_group});
       pebble_.push_back(b);
-      clumps.keep_placed(b);
     }
   }
 
   /// After the grains' step: moves the membrane over the same step, and adds its forces to the clumps.
   template <class Grains>
-  void step(const Grains& grains, dem::Clumps& clumps, double pressure, double bottom_speed, double top_speed) {
+  void step(Grains& grains, dem::Clumps& clumps, double pressure, const dem::Wall& bottom, const dem::Wall& top) {
     scene.time_step = grains.last_step;
     const auto in_row = static_cast<std::size_t>(settings_.around);
+    const auto moves_with = [this](const dem::Wall& platen, std::size_t sphere) {
+      scene.balls.velocity[sphere] =
+          platen.velocity + platen.spin.cross(Vec3(scene.balls.position[sphere] - platen.point));
+    };
     for (std::size_t i = 0; i < in_row; ++i) {
-      scene.balls.velocity[i] = Vec3(0.0, 0.0, bottom_speed);
-      scene.balls.velocity[spheres_ - 1 - i] = Vec3(0.0, 0.0, top_speed);
+      moves_with(bottom, i);
+      moves_with(top, spheres_ - 1 - i);
     }
-    bool moved_far = scene.begin_step() || listed_at_.size() != pebble_.size();
-    const double allowed = scene.allowed_motion() * scene.allowed_motion();
-    for (std::size_t k = 0; k < pebble_.size(); ++k) {
-      const std::size_t copy = spheres_ + k;
-      scene.balls.position[copy].all() = grains.balls.position[pebble_[k]].all();
-      scene.balls.velocity[copy].all() = grains.balls.velocity[pebble_[k]].all();
-      moved_far = moved_far || (scene.balls.position[copy] - listed_at_[k]).squaredNorm() > allowed;
+    bool moved_far = scene.begin_step() || listed_.size() != clumps.size();
+    for (std::size_t i = 0; i < clumps.size() && !moved_far; ++i)
+      moved_far = !clumps.all[i].is_near(listed_[i], scene.allowed_motion());
+    if (moved_far) {
+      clumps.place_all(grains);
+      for (std::size_t k = 0; k < pebble_.size(); ++k) copy(grains, k);
+    } else {
+      for (const std::size_t k : active_) copy(grains, k);
     }
     scene.finish_step(moved_far);
-    if (moved_far) note_places();
+    if (moved_far) note_listing(grains, clumps);
     add_outer_forces(pressure);
-    for (std::size_t k = 0; k < pebble_.size(); ++k) {
+    for (const std::size_t k : active_) {
       const Vec3 force = scene.balls.force[spheres_ + k];
-      if (!(force.squaredNorm() > 0.0)) continue;
       dem::Clump& clump = clumps.all[static_cast<std::size_t>(grains.balls.group[pebble_[k]])];
       clump.force += force;
       clump.torque += Vec3(grains.balls.position[pebble_[k]] - clump.position).cross(force);
     }
   }
 
-  /// Adds bonds and pressure to the forces of the contacts.
+  /// Adds bonds and pressure to the forces of the contacts. (The fourth number of a row is the radius, the same for all spheres.)
   void add_outer_forces(double pressure) {
-    auto& balls = scene.balls;
+    std::vector<dem::Row>&force = scene.balls.force, &place = scene.balls.position;
     for (const Bond& bond : bonds) {
-      const Vec3 force = tension(bond) * (balls.position[bond.two] - balls.position[bond.one]).normalized();
-      balls.force[bond.one] = balls.force[bond.one] + force;
-      balls.force[bond.two] = balls.force[bond.two] - force;
+      const Eigen::Vector4d along = place[bond.two].all() - place[bond.one].all();
+      const double stretched = 1.0 - bond.length / std::sqrt(along.squaredNorm());
+      const Eigen::Vector4d pull = along * (settings_.bond_stiffness * stretched);
+      force[bond.one].all() += pull;
+      force[bond.two].all() -= pull;
     }
-    for (const auto& corner : triangles) {
-      const Vec3 third = area(corner) * (-pressure / 3.0);
-      for (const std::size_t c : corner) balls.force[c] = balls.force[c] + third;
+    for (const auto& [a, b, c] : triangles) {
+      const Eigen::Vector4d one = place[b].all() - place[a].all(), two = place[c].all() - place[a].all();
+      const Eigen::Vector4d third = one.cross3(two) * (-pressure / 6.0);  // of the pressure on half of one x two
+      force[a].all() += third;
+      force[b].all() += third;
+      force[c].all() += third;
     }
   }
   double tension(const Bond& bond) const {
@@ -143,23 +152,34 @@ class Membrane {
     return sum / static_cast<double>(bonds.size());
   }
 
-  /// After a restored scene.
-  void resume() { note_places(); }
+  /// After a restored scene: the next step copies all pebbles and lists neighbours.
+  void resume() { listed_.clear(); }
 
  private:
   static constexpr int spheres_group = -2, pebbles_group = 0;
   MembraneSettings settings_;
   std::size_t spheres_ = 0;
   std::vector<std::size_t> pebble_;  ///< of each copy, its id among the grains' balls
-  std::vector<Vec3> listed_at_;      ///< places of the copies when neighbours were listed [m]
+  std::vector<std::size_t> active_;  ///< copies with listed contacts
+  std::vector<dem::Clump> listed_;   ///< as they were when neighbours were listed; empty before
 
-  Vec3 area(const std::array<std::size_t, 3>& corner) const {  // outward [m^2]
-    const Vec3 a = scene.balls.position[corner[0]];
-    return 0.5 * (scene.balls.position[corner[1]] - a).cross(scene.balls.position[corner[2]] - a);
+  template <class Grains>
+  void copy(const Grains& grains, std::size_t k) {
+    scene.balls.position[spheres_ + k].all() = grains.balls.position[pebble_[k]].all();
+    scene.balls.velocity[spheres_ + k].all() = grains.balls.velocity[pebble_[k]].all();
   }
-  void note_places() {
-    listed_at_.clear();
-    for (std::size_t k = 0; k < pebble_.size(); ++k) listed_at_.push_back(scene.balls.position[spheres_ + k]);
+  template <class Grains>
+  void note_listing(const Grains& grains, dem::Clumps& clumps) {
+    listed_ = clumps.all;
+    active_.clear();
+    std::vector<std::size_t> placed;
+    for (std::size_t k = 0; k < pebble_.size(); ++k) {
+      const std::size_t ball = spheres_ + k;
+      if (!scene.ball_contacts.has_first(ball) && !scene.ball_contacts.has_second(ball)) continue;
+      active_.push_back(k);
+      placed.push_back(pebble_[k]);
+    }
+    clumps.keep_placed(grains, placed);
   }
 
   void connect() {

@@ -113,14 +113,24 @@ void write_curves(common::OutputFolder& folder, const Tests& tests, const Option
   noises.write_csv(folder.file("probe_noise.csv"));
 }
 
+/// The sample, packed in two phases that go on from where they were stopped.
+Sample packed(const Options& options, const std::string& states, const std::vector<dem::ClumpShape>& shapes) {
+  const auto run_phase = [&](const char* name, const std::function<Sample(dem::CaseControl&)>& phase) {
+    const dem::Case one{name, 1.0, options.size,
+                        [&](dem::CaseControl& control) { return nlohmann::json(phase(control)); }};
+    return dem::run_cases("probe, " + std::string(name), states, {one}, 1).front().get<Sample>();
+  };
+  const Sample shrunk =
+      run_phase("packing_shrink", [&](dem::CaseControl& control) { return shrink(options.size, shapes, control); });
+  return run_phase("packing_relax", [&](dem::CaseControl& control) { return relax(shrunk, shapes, control); });
+}
+
 int run(const Options& options) {
   const common::InterruptGuard guard;
   common::OutputFolder folder(options.folder);
   const std::string states = options.folder + "/probe";
   const std::vector<dem::ClumpShape> shapes = unit_clumps();
-  const dem::Case packing{"sample", 1.0, options.size,
-                          [&](dem::CaseControl&) { return nlohmann::json(make_sample(options.size, shapes)); }};
-  const Sample sample = dem::run_cases("probe, packing", states, {packing}, 1).front().get<Sample>();
+  const Sample sample = packed(options, states, shapes);
   const std::vector<dem::Case> cases = cases_of(options, sample, shapes);
   const std::vector<nlohmann::json> results = dem::run_cases("probe", states, cases, options.threads);
   Tests tests;
@@ -152,6 +162,7 @@ int main(int argc, char** argv) {
                  "of the vessel [m]; its height is 1.5 times as large (default: 0.16)")
       ->check(CLI::Range(0.12, 0.3));
   app.add_flag("--membrane", options.plan.membrane, "a flexible membrane in the place of the breathing cylinder");
+  app.add_flag("--tilt", options.plan.tilts, "a top platen that may tilt (always with --full)");
   app.add_option("--confine", options.plan.confine_time, "time in which the pressure grows [s] (default: 0.5)")
       ->check(CLI::Range(0.01, 10.0));
   app.add_option("--safety", options.plan.safety, "share of the stable step (default: 0.6)")
@@ -159,7 +170,7 @@ int main(int argc, char** argv) {
   return common::run_program(app, argc, argv, [&options] {
     if (options.full) {
       options.size.diameter = 0.3;
-      options.plan.membrane = true;
+      options.plan.membrane = options.plan.tilts = true;
     }
     options.size.height = 1.5 * options.size.diameter;
     return probe::run(options);

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The sample that all laws share: clumps of ballast sizes in a cylinder, packed without stress at a given voids ratio.
-//
-// Clumps start apart from each other in a vessel twice as large, which shrinks slowly onto them, without friction and gravity,
-// under springs so soft that they give way. (The paper lets grains grow in a fixed vessel: the same, on another scale.) What
-// is left of overlaps would be kilonewtons under Hertz and would count as loading history, so they are relaxed under Hertz,
-// still without friction, before a test begins.
+// The sample that all laws share: clumps of ballast sizes in a cylinder. Here are its grains, and a scene of them in their vessel;
+// packing.hpp packs them.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 
-#include "common/progress.hpp"
 #include "common/random.hpp"
-#include "dem/checkpoint.hpp"
+#include "dem/clump_checkpoint.hpp"
 #include "dem/clump_measures.hpp"
 #include "laws.hpp"
 #include "membrane.hpp"
@@ -111,6 +106,8 @@ inline void scatter(std::vector<Grain>& grains, const std::vector<dem::ClumpShap
   }
 }
 
+constexpr double resting_skin = 0.3e-3;  ///< gaps up to which neighbours are listed, where grains come to rest [m]
+
 /// A scene of the sample's grains in their vessel.
 template <class Law>
 struct Specimen {
@@ -126,7 +123,7 @@ struct Specimen {
     vessel.add_to(scene, sample.radius, sample.height);
     for (const Grain& grain : sample.grains)
       clumps.add(scene, shapes[grain.shape].scaled(grain.size), granite, grain.position, grain.orientation);
-    set_skin(0.3e-3);
+    set_skin(resting_skin);
   }
 
   /// Neighbours are listed up to gaps of `gap` [m]: few where grains hardly move.
@@ -137,7 +134,7 @@ struct Specimen {
   void add_membrane(const MembraneSettings& settings) {
     dem::Wall& cylinder = scene.walls[Vessel::side];
     membrane.emplace(settings, cylinder.radius, Vessel::height(scene));
-    membrane->surround(scene, clumps);
+    membrane->surround(scene);
     vessel.membrane_radius = cylinder.radius;
     cylinder.radius += 1.0;  // out of reach
   }
@@ -145,10 +142,33 @@ struct Specimen {
     vessel.push(scene);
     clumps.step(scene);
     if (!membrane) return;
-    const auto speed = [this](std::size_t wall) { return scene.walls[wall].velocity.z(); };
-    membrane->step(scene, clumps, vessel.pressure, speed(Vessel::bottom), speed(Vessel::top));
+    membrane->step(scene, clumps, vessel.pressure, scene.walls[Vessel::bottom], scene.walls[Vessel::top]);
     if (scene.steps % 100 == 0) vessel.membrane_radius = membrane->mean_radius();
   }
+
+  /// What changes of it, apart from the scene.
+  friend void to_json(nlohmann::json& json, const Specimen& specimen) {
+    const Vessel& vessel = specimen.vessel;
+    json = {{"pressure", vessel.pressure},
+            {"moves", {vessel.top_moves, vessel.top_tilts, vessel.side_moves}},
+            {"membrane_radius", vessel.membrane_radius},
+            {"clumps", dem::clumps_to_json(specimen.clumps)}};
+    if (specimen.membrane) json["membrane"] = dem::scene_to_json(specimen.membrane->scene);
+  }
+  /// After the scene was restored.
+  friend void from_json(const nlohmann::json& json, Specimen& specimen) {
+    Vessel& vessel = specimen.vessel;
+    json.at("pressure").get_to(vessel.pressure);
+    json.at("moves").at(0).get_to(vessel.top_moves);
+    json.at("moves").at(1).get_to(vessel.top_tilts);
+    json.at("moves").at(2).get_to(vessel.side_moves);
+    json.at("membrane_radius").get_to(vessel.membrane_radius);
+    dem::clumps_from_json(json.at("clumps"), specimen.clumps, specimen.scene);
+    if (!specimen.membrane) return;
+    dem::scene_from_json(json.at("membrane"), specimen.membrane->scene);
+    specimen.membrane->resume();
+  }
+
   void take_places(Sample& sample) const {
     sample.radius = vessel.radius(scene);
     sample.height = Vessel::height(scene);
@@ -158,63 +178,5 @@ struct Specimen {
     }
   }
 };
-
-/// Shrinks the vessel from `start` times its size, within `duration` [s]; then lets the grains come to rest for a quarter of it.
-inline void shrink(Sample& sample, const std::vector<dem::ClumpShape>& shapes, double start, double duration) {
-  using SoftLaw = Boundary;
-  constexpr double soft = 1e5;  // [N/m]
-  const double radius = sample.radius, height = sample.height;
-  sample.radius *= start;
-  sample.height *= start;
-  Specimen<SoftLaw> specimen(boundary_law(soft), boundary_law(soft), shapes, sample);
-  specimen.set_skin(5e-3);
-  auto& scene = specimen.scene;
-  scene.time_step = 0.5 * dem::stable_time_step(scene, specimen.clumps, 4.0 * soft);
-  const auto steps = static_cast<std::int64_t>(std::ceil(duration / scene.time_step));
-  scene.time_step = duration / static_cast<double>(steps);
-  for (std::int64_t i = 0; i < steps * 5 / 4; ++i) {
-    common::stop_if_requested();
-    const bool shrinks = i < steps;
-    scene.walls[Vessel::top].velocity.z() = shrinks ? -(start - 1.0) * height / duration : 0.0;
-    scene.walls[Vessel::side].radial_velocity = shrinks ? -(start - 1.0) * radius / duration : 0.0;
-    specimen.step();
-  }
-  specimen.take_places(sample);
-}
-
-/// Lets grains that overlap drive each other apart under Hertz's law, without friction, for `duration` [s].
-inline void relax(Sample& sample, const std::vector<dem::ClumpShape>& shapes, double duration,
-                  double nominal_stiffness) {
-  Specimen<Hertz> specimen(make_law<Hertz>(0.0), boundary_law(), shapes, sample);
-  auto& scene = specimen.scene;
-  while (scene.time < duration) {
-    common::stop_if_requested();
-    if (scene.steps % 100 == 0) {
-      specimen.clumps.start(scene);
-      scene.time_step = 0.5 * dem::stable_time_step(scene, specimen.clumps, nominal_stiffness);
-    }
-    specimen.step();
-  }
-  specimen.take_places(sample);
-}
-
-/// A stiffness that contacts of this sample reach under the pressure [N/m]: Hertz's under a force of p d^2, d a grain's size.
-inline double nominal_stiffness(double pressure) {
-  constexpr double size = 40e-3, pebble = 6e-3;
-  const auto pair =
-      contactlaws::pair_properties(contactlaws::sphere(granite, pebble), contactlaws::sphere(granite, pebble));
-  const double force = pressure * size * size;
-  return std::cbrt(6.0 * pair.effective_young * pair.effective_young * force * pair.effective_radius);
-}
-
-inline Sample make_sample(const SampleSize& size, const std::vector<dem::ClumpShape>& shapes) {
-  Random draw(size.seed);
-  Sample sample{size.diameter / 2.0, size.height, draw_grains(size, shapes, draw)};
-  constexpr double start = 2.0;  // bounding spheres then fill a quarter of the vessel
-  scatter(sample.grains, shapes, start * sample.radius, start * sample.height, draw);
-  shrink(sample, shapes, start, 1.0);
-  relax(sample, shapes, 0.03, nominal_stiffness(150e3));
-  return sample;
-}
 
 }  // namespace probe

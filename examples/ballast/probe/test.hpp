@@ -12,11 +12,9 @@
 // timings), so that each decade of strain takes about as long.
 #pragma once
 
-#include "dem/cases.hpp"
-#include "dem/clump_checkpoint.hpp"
 #include "dem/energy_watch.hpp"
 #include "micro.hpp"
-#include "sample.hpp"
+#include "packing.hpp"
 #include "test_state.hpp"
 
 namespace probe {
@@ -34,6 +32,7 @@ class Test {
     if (plan.membrane) specimen.add_membrane(MembraneSettings::around_vessel(sample.radius, sample.height));
     specimen.scene.gravity = {0.0, 0.0, -9.81};
     specimen.vessel.top_moves = true;
+    specimen.vessel.top_tilts = plan.tilts;
     for (const dem::Clump& clump : specimen.clumps.all) solid_volume_ += clump.mass / granite.density;
     nominal_ = nominal_stiffness(plan.pressure);
   }
@@ -44,9 +43,11 @@ class Test {
   /// Runs the test to its end, from where an earlier run left it. @throws common::Stopped; std::runtime_error if a step is
   /// unstable or a grain leaves the vessel
   TestState run(dem::CaseControl& control) {
-    take_up(control);
+    control.resume(specimen.scene, *this);
     while (state.phase != Phase::done) {
+      const Phase before = state.phase;
       step();
+      if (state.phase != before) control.save(specimen.scene, *this);
       if (specimen.scene.steps % look_every == 0) {
         check();
         control.between_steps(specimen.scene, *this,
@@ -54,20 +55,6 @@ class Test {
       }
     }
     return state;
-  }
-
-  /// Takes up the state of an earlier run. Whether there was one.
-  bool take_up(dem::CaseControl& control) {
-    if (!control.resume(specimen.scene, *this)) return false;
-    if (state.phase >= Phase::load) specimen.set_skin(probe_skin);
-    dem::clumps_from_json(saved_.at("clumps"), specimen.clumps, specimen.scene);
-    if (specimen.membrane) {
-      dem::scene_from_json(saved_.at("membrane"), specimen.membrane->scene);
-      specimen.membrane->resume();
-      saved_.at("membrane_radius").get_to(specimen.vessel.membrane_radius);
-    }
-    saved_ = nlohmann::json();
-    return true;
   }
 
   /// One step of the test.
@@ -86,30 +73,21 @@ class Test {
   }
 
   friend void to_json(nlohmann::json& json, const Test& test) {
-    json = {{"test", test.state},
-            {"pressure", test.specimen.vessel.pressure},
-            {"top_moves", test.specimen.vessel.top_moves},
-            {"side_moves", test.specimen.vessel.side_moves},
-            {"clumps", dem::clumps_to_json(test.specimen.clumps)}};
-    if (!test.specimen.membrane) return;
-    json["membrane"] = dem::scene_to_json(test.specimen.membrane->scene);
-    json["membrane_radius"] = test.specimen.vessel.membrane_radius;
+    json = {{"test", test.state}, {"specimen", test.specimen}, {"before_noise", test.before_noise_}};
   }
   friend void from_json(const nlohmann::json& json, Test& test) {
     json.at("test").get_to(test.state);
-    json.at("pressure").get_to(test.specimen.vessel.pressure);
-    json.at("top_moves").get_to(test.specimen.vessel.top_moves);
-    json.at("side_moves").get_to(test.specimen.vessel.side_moves);
-    test.saved_ = json;
+    test.specimen.set_skin(test.state.phase < Phase::load ? resting_skin : probe_skin);
+    json.at("specimen").get_to(test.specimen);
+    test.before_noise_ = json.at("before_noise");
   }
 
  private:
   double solid_volume_ = 0.0;  ///< [m^3]
   double nominal_ = 0.0;       ///< [N/m]
   dem::EnergyWatch watch_;
-  nlohmann::json saved_;                           ///< restored after the scene is
-  static constexpr double probe_skin = 0.1e-3;     ///< grains hardly move from loading on [m]
-  static constexpr std::int64_t look_every = 100;  ///< steps between two looks at time step, energy and equilibrium
+  nlohmann::json before_noise_;  ///< scene and state to go back to after a probe of noise; null outside of one
+  static constexpr double probe_skin = 0.1e-3;  ///< grains hardly move from loading on [m]
 
   double volume() const { return specimen.vessel.area(specimen.scene) * Vessel::height(specimen.scene); }
   double phase_time() const { return specimen.scene.time - state.phase_start; }
@@ -175,20 +153,22 @@ class Test {
     state.largest_force = std::max(state.largest_force, now.largest_force);
   }
 
-  /// Loads copies of the specimen, each when the unbalanced force has fallen to the next of the levels.
-  void probe_noise() {
+  /// Whether the unbalanced force has fallen to the next of the levels at which the noise of the modulus is probed.
+  bool noise_probe_is_due() const {
     const std::size_t next = state.noise.size();
-    if (next >= plan.noise_levels.size() || state.rest_unbalanced > plan.noise_levels[next]) return;
-    Test copy = *this;
-    copy.plan.noise_levels.clear();
-    copy.plan.unbalanced = 1.0;
-    copy.plan.most_strain = plan.noise_strain;
-    while (copy.state.phase != Phase::hold) {
-      common::stop_if_requested();
-      copy.step();
-      if (copy.state.phase == Phase::rest) copy.end_phase_if_due();
-    }
-    state.noise.push_back({state.rest_unbalanced, copy.state.load});
+    return state.phase == Phase::rest && next < plan.noise_levels.size() &&
+           state.rest_unbalanced <= plan.noise_levels[next];
+  }
+  bool probes_noise() const { return !before_noise_.is_null(); }
+  /// Goes back to where a probe of noise began, and keeps its curve.
+  void end_noise_probe() {
+    const NoisyProbe probe{state.rest_unbalanced, state.load};
+    const nlohmann::json before = std::move(before_noise_);
+    before_noise_ = nlohmann::json();
+    dem::scene_from_json(before.at("scene"), specimen.scene);
+    before.at("state").get_to(*this);
+    state.noise.push_back(probe);
+    watch_.reset();
   }
 
   /// @throws std::runtime_error if a step is unstable or a grain has left the vessel
@@ -219,10 +199,9 @@ class Test {
         return phase_time() >= plan.confine_time;
       case Phase::rest:
         state.rest_unbalanced = unbalanced();
-        probe_noise();
-        return state.rest_unbalanced <= plan.unbalanced || phase_time() >= plan.longest_rest;
+        return state.rest_unbalanced <= plan.unbalanced || phase_time() >= plan.longest_rest || noise_probe_is_due();
       case Phase::load:
-        return phase_strain() >= plan.most_strain;
+        return phase_strain() >= (probes_noise() ? plan.noise_strain : plan.most_strain);
       case Phase::hold:
         return phase_time() >= plan.hold_time;
       case Phase::unload:
@@ -236,6 +215,8 @@ class Test {
   void end_phase_if_due() {
     if (!phase_is_over()) return;
     auto& scene = specimen.scene;
+    if (probes_noise()) return end_noise_probe();
+    if (noise_probe_is_due()) before_noise_ = {{"scene", dem::scene_to_json(scene)}, {"state", *this}};
     if (state.phase == Phase::rest) {
       state.rest_time = phase_time();
       state.voids_ratio = volume() / solid_volume_ - 1.0;

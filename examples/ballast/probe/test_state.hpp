@@ -28,15 +28,17 @@ struct TestPlan {
   double strain_fast = 1e-4;   ///< strain from which it is fastest [1]
   double most_strain = 1e-3;   ///< axial, at the end of loading [1]
   bool membrane = false;       ///< flexible, in the place of the breathing cylinder
+  bool tilts = false;          ///< whether the top platen tilts
   bool unloads = true;         ///< whether hold and unload follow
   int points_per_decade = 20;  ///< of strain
   double safety = 0.6;         ///< share of the stable step
-  /// Unbalanced forces, falling, at which a copy of the specimen is loaded to `noise_strain`, to see the noise of its modulus.
+  /// Unbalanced forces, falling, at which the specimen is loaded to `noise_strain`, to see the noise of its modulus. Then it
+  /// goes back to the state that it had.
   std::vector<double> noise_levels;
   double noise_strain = 1e-6;
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TestPlan, pressure, settle_time, confine_time, unbalanced, longest_rest, hold_time,
-                                   slowest, fastest, strain_slow, strain_fast, most_strain, membrane, unloads,
+                                   slowest, fastest, strain_slow, strain_fast, most_strain, membrane, tilts, unloads,
                                    points_per_decade, safety, noise_levels, noise_strain)
 
 /// Share of a test that is done, from the time that each phase takes; that of rest is a guess.
@@ -73,7 +75,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Point, phase_strain, strain, axial, radial, b
                                    unbalanced)
 using Curve = std::vector<Point>;
 
-/// The loading of a copy that was not yet at rest.
+/// The loading of a specimen that was not yet at rest.
 struct NoisyProbe {
   double unbalanced;  ///< when it began [1]
   Curve load;
