@@ -109,6 +109,9 @@ class AnyNormal {
  private:
   static Response complete(const Response& response) { return response; }
   static Response complete(const contactlaws::HertzResponse<T>& response) { return {response, T(0), T(0)}; }
+  static Response complete(const contactlaws::PullingResponse<T>& response) {
+    return {{response, T(0)}, response.pull_off, response.adhesion};
+  }
   /// Without a contact radius there is no Mindlin stiffness: check() in law_spec.hpp refuses the two together.
   static Response complete(const contactlaws::NormalResponse<T>& response) { return {{response, T(0)}, T(0), T(0)}; }
 

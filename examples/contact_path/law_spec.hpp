@@ -244,6 +244,10 @@ inline const auto& normal_laws() {
                                                         "hertz less the constant pull 2 pi w R* while it touches"),
       adhesive_law<Jkr, AdhesiveFriction::thornton_jkr>(
           "jkr", "adhesion of soft spheres: touches at o = 0, pulls 3/2 pi w R* at most, lets go beyond touch"),
+      law<LinearHysteretic>(
+          "linear_hysteretic",
+          "Luding's lines: loading k1, unloading up to k2 as the largest overlap grows, pulling -kc o",
+          {"effective_radius"}),
       law<ThorntonNing>("thornton_ning",
                         "hertz up to the yield pressure, linear beyond; unloading with a flattened radius",
                         {"effective_radius", "effective_young"}),

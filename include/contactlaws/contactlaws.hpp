@@ -6,5 +6,6 @@
 #include "contactlaws/damping/restitution.hpp"
 #include "contactlaws/energy.hpp"
 #include "contactlaws/laws.hpp"
+#include "contactlaws/normal/linear_hysteretic.hpp"
 #include "contactlaws/tangential/mindlin_deresiewicz.hpp"
 #include "contactlaws/timestep.hpp"

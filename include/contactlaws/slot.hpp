@@ -26,7 +26,8 @@
 // by state_values(). respond() receives a copy of the state and updates it.
 //
 // A pushing normal law receives max(overlap, 0); at 0 the response is zero. A normal law that pulls declares
-// `static constexpr bool adheres = true`, receives the overlap with its sign, returns an AdhesiveResponse, and adds
+// `static constexpr bool adheres = true`, receives the overlap with its sign, returns an AdhesiveResponse or a
+// PullingResponse, and adds
 //            touches(State, pair, overlap) -> Mask    whether the contact holds
 //            range(pair) [m]                          the largest gap across which it holds
 // A normal law that yields adds plastic_dissipation(State, pair) [J], all since the contact was new.
@@ -72,6 +73,13 @@ template <class T>
 struct AdhesiveResponse : HertzResponse<T> {
   T pull_off;  ///< F_c, the largest pull: a clipped dashpot does not pull beyond it [N]
   T adhesion;  ///< friction acts on force + adhesion [N]
+};
+
+/// Of normal laws that pull and know no contact radius.
+template <class T>
+struct PullingResponse : NormalResponse<T> {
+  T pull_off;  ///< as AdhesiveResponse [N]
+  T adhesion;  ///< as AdhesiveResponse [N]
 };
 
 /// What friction multiplies beside a normal law that pulls; two rules are Thornton's (1991), for DMT and for JKR.

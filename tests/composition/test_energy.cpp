@@ -139,7 +139,8 @@ TEST_CASE("Energy: work = stored + dissipated, converging with the step; what pr
     // Causes add up to the whole, to first order: where no changing stiffness creates or destroys shear energy, no bridge
     // ruptures within a step, and the law knows what yields.
     const bool constant_shear = !law->shears || law->name.find("Linear") == 0;
-    const bool adds_up = constant_shear && !law->bridges && law->name != "Rough incremental";
+    const bool knows = law->name != "Rough incremental" && law->name.find("Hysteretic") != 0;
+    const bool adds_up = constant_shear && !law->bridges && knows;
     const double off = std::abs(finest.heat - finest.dissipated());
     if (adds_up) CHECK(off <= 0.6 * std::abs(fine.heat - fine.dissipated()) + 1e-9 * finest.work + 1e-14);
     if (adds_up) CHECK(off <= 1e-4 * std::abs(finest.dissipated()) + 1e-12);

@@ -65,7 +65,10 @@ int wrong_when_closed(const ErasedLaw<T>& law, const Instant<T>& now) {
   int wrong = !step.active;
   wrong += !(step.normal_elastic + law.adhesion(now.pair, now.kinematics.overlap) > T(0));
   wrong += step.bridge_force != T(0);
-  wrong += !(separating > T(0) ? step.normal_force <= step.normal_elastic : step.normal_force >= step.normal_elastic);
+  // Of a law that pulls its pull-off is added and taken away.
+  const T slack = T(2) * epsilon<T>() * law.adhesion(now.pair, now.kinematics.overlap);
+  wrong += !(separating > T(0) ? step.normal_force <= step.normal_elastic + slack
+                               : step.normal_force >= step.normal_elastic - slack);
 
   // Shear is what is left when the normal part is taken away: 8 roundings of forces of this size.
   const Vec3<T> shear = shear_part(step, n);
@@ -93,7 +96,7 @@ double friction_error(const ErasedLaw<T>& law, const PairProperties<T>& pair, co
                       const Step<T, typename ErasedLaw<T>::State>& step) {
   T load = T(0), adhesion = T(0);
   if (step.normal_elastic != T(0) || kinematics.overlap > T(0)) {
-    adhesion = law.adhesion(pair, pair.effective_radius / T(1000));  // any overlap
+    adhesion = law.adhesion(pair, kinematics.overlap > T(0) ? kinematics.overlap : T(pair.effective_radius / T(1000)));
     load = positive_part<T>(step.normal_force + adhesion);
   }
   const bool at_limit = step.sliding && !law.damps;

@@ -62,6 +62,9 @@ void visit_each_slot(const Visit& visit) {
   visit("Hertz capillary", 2, compose(s.hertz, s.clipped, s.smooth, s.capillary));
   visit("Dmt", 3, compose(Dmt<T>{0.05}, s.two_constants, ShearForce<T>{s.mindlin, 0.4}, s.dry));
   visit("ThorntonNing", 4, compose(ThorntonNing<T>{3e8}, s.undamped, ShearForce<T>{s.mindlin, 0.4}, s.dry));
+  visit("Hysteretic", 4,
+        compose(LinearHysteretic<T>{1e6, 5e6, 5e5, 1e-3}, s.damped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.4},
+                s.dry));
   visit("CohesivePowder", 7, compose(Jkr<T>{0.5}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit("MindlinDeresiewicz", 17, compose(s.hertz, s.damped, MindlinDeresiewicz<T>{{}, {0.4}}, s.dry));
   visit("Hertz rolling", 6, compose(s.hertz, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
@@ -88,6 +91,7 @@ void visit_laws(const Visit& visit) {
   visit("Hill", 4, hill<T>(0.4, 2e5, 0.07));
   visit("LinearSpringDashpot clipped", 3,
         compose(s.spring, s.clipped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.4}, s.dry));
+  visit("Hysteretic clipped", 1, compose(LinearHysteretic<T>{1e6, 2e6, 0.0, 1e-4}, s.clipped, s.smooth, s.dry));
   visit("Jkr wet", 2, compose(Jkr<T>{0.5}, s.undamped, s.smooth, s.wet));
   visit("Hertz damped", 0, compose(s.hertz, s.damped, s.smooth, s.dry));
   visit("Hertz wet", 1, compose(s.hertz, s.undamped, s.smooth, s.wet));
