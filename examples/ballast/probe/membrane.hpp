@@ -54,7 +54,6 @@ class Membrane {
       : scene(boundary_law(settings.contact_stiffness)), settings_(settings) {
     scene.local_damping = 0.7;
     scene.log = nullptr;
-    scene.skin = 0.1;  // of the smallest radius: once confined, little moves
     const contactlaws::ElasticMaterial<double> rubber{1e6, 0.25, settings.density};  // the moduli are not read
     const double pi = contactlaws::pi<double>(), distance = radius + settings.sphere_radius;
     for (int row = 0; row < settings.rows; ++row)
