@@ -36,9 +36,14 @@ on_one_core() { taskset -c "$(($(nproc) - 1))" "$@"; }
 
 for benchmark in build/bench/bin/bench_*; do
   name=$(basename "$benchmark")
-  case $name in bench_dem*) continue ;; esac  # it asks for all cores; peers/run.sh runs it
+  case $name in
+    bench_dem*) continue ;;  # it asks for all cores; peers/run.sh runs it
+    bench_class5) kept=$results/class5_packing.json ;;  # a specimen, made by the first run: minutes
+    bench_probe) kept=$results/probe_at_rest ;;
+    *) kept= ;;
+  esac
   echo "$name"
-  on_one_core "$benchmark" --benchmark_out="$results/$name.json" --benchmark_repetitions=11 \
+  on_one_core "$benchmark" ${kept:+"$kept"} --benchmark_out="$results/$name.json" --benchmark_repetitions=11 \
     --benchmark_min_time=0.02 --benchmark_report_aggregates_only=true "$@"
 done
 
@@ -61,7 +66,7 @@ if [ $publish = yes ]; then
   mkdir -p "$folder"
   cp $results/trade.csv $results/trade.json $results/trade_*.png $results/replay_grains.txt $results/instructions.csv "$folder"
   if [ $peers = yes ]; then cp $results/peers.csv "$folder"; fi
-  for name in bench_laws bench_pohrt_popov bench_batch_x86-64 bench_batch_x86-64-v3 bench_batch_x86-64-v4; do
+  for name in bench_laws bench_pohrt_popov bench_class5 bench_probe bench_batch_x86-64 bench_batch_x86-64-v3 bench_batch_x86-64-v4; do
     if [ ! -f "$results/$name.json" ]; then continue; fi
     # Without host, paths and dates.
     "$python" -c 'import json, sys

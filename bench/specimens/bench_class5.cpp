@@ -16,11 +16,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
-#include <numeric>
 
-#include "contactlaws/batch.hpp"
-#include "contactlaws/scalars/xsimd.hpp"
 #include "memo/class5/packing.hpp"
+#include "parts.hpp"
 
 namespace {
 
@@ -54,11 +52,6 @@ std::unique_ptr<Vessel<DryLaw>> at_rest(Packing packing, bool shuffled) {
   return vessel;
 }
 
-void per_contact(benchmark::State& run, double contacts) {
-  run.counters["contacts"] = contacts;
-  run.counters["per_contact"] = benchmark::Counter(static_cast<double>(run.iterations()) * contacts,
-                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
 double listed(const Vessel<DryLaw>& vessel) {
   return static_cast<double>(vessel.scene.ball_contacts.size() + vessel.scene.wall_contacts.size());
 }
@@ -68,52 +61,19 @@ void step(benchmark::State& run, Vessel<DryLaw>& vessel) {
     for (const std::size_t wall : {vessel.bottom, vessel.top, vessel.side}) vessel.hold_pressure(wall);
     vessel.step();
   }
-  per_contact(run, listed(vessel));
+  bench::per_contact(run, listed(vessel));
 }
 
 void contacts(benchmark::State& run, Vessel<DryLaw>& vessel) {
   auto list = vessel.scene.ball_contacts;
   const dem::BallMotion motion{vessel.scene.balls, vessel.scene.time_step};
   for (auto _ : run) list.evaluate(vessel.scene.ball_law, motion, 0, list.size());
-  per_contact(run, static_cast<double>(list.size()));
+  bench::per_contact(run, static_cast<double>(list.size()));
 }
 
 void law(benchmark::State& run, Vessel<DryLaw>& vessel) {
-  const auto& list = vessel.scene.ball_contacts;
-  const std::size_t count = list.size();
-  std::vector<double> radius(count), mass(count), overlap(count);
-  std::array<std::vector<double>, 3> normal, velocity, shear, next, force;
-  for (auto* columns : {&normal, &velocity, &shear, &next, &force})
-    for (auto& column : *columns) column.resize(count);
-  for (std::size_t c = 0; c < count; ++c) {
-    const auto contact = vessel.scene.ball_contact(c);
-    radius[c] = list.pair(c).effective_radius;
-    mass[c] = list.pair(c).effective_mass;
-    overlap[c] = contact.geometry.overlap;
-    std::array<double, DryLaw::state_size> state{};
-    DryLaw::store(list.state(c), state.data());
-    for (int i = 0; i < 3; ++i) {
-      const auto axis = static_cast<std::size_t>(i);
-      normal[axis][c] = contact.geometry.normal[i];
-      velocity[axis][c] = contact.motion.velocity[i];
-      shear[axis][c] = state[axis];
-    }
-  }
-  const auto pair = list.pair(0);
-  contactlaws::ContactBatch<DryLaw> batch;
-  batch.count = count;
-  batch.pair = {radius.data(), pair.effective_young, pair.effective_shear, mass.data(), pair.min_radius, pair.length};
-  batch.overlap = overlap.data();
-  batch.dt = vessel.scene.time_step;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    batch.normal[axis] = normal[axis].data();
-    batch.velocity[axis] = velocity[axis].data();
-    batch.state[axis] = shear[axis].data();
-    batch.next[axis] = next[axis].data();  // not in place: the same step each time, as in `contacts`
-    batch.force[axis] = force[axis].data();
-  }
-  for (auto _ : run) contactlaws::evaluate<DryLaw, dem::Pack>(vessel.scene.ball_law, batch);
-  per_contact(run, static_cast<double>(count));
+  bench::law_alone<DryLaw, dem::Pack>(run, vessel.scene);
+  bench::per_contact(run, static_cast<double>(vessel.scene.ball_contacts.size()));
 }
 
 void neighbours(benchmark::State& run, Vessel<DryLaw>& vessel) {
@@ -123,23 +83,12 @@ void neighbours(benchmark::State& run, Vessel<DryLaw>& vessel) {
   const double margin = scene.skin * *std::min_element(scene.balls.radius.begin(), scene.balls.radius.end());
   const double speed = 0.1 * vessel.size().height / 2.0;  // of a platen, at 0.1/s
   run.counters["steps_of_a_list"] = margin / 2.0 / speed / scene.time_step;
-  per_contact(run, listed(vessel));
+  bench::per_contact(run, listed(vessel));
 }
 
 void look(benchmark::State& run, Vessel<DryLaw>& vessel) {
   for (auto _ : run) vessel.look();
-  per_contact(run, listed(vessel));
-}
-
-void triad(benchmark::State& run) {
-  constexpr std::size_t count = 10000000;
-  std::vector<double> a(count, 1.0), b(count, 2.0), c(count, 3.0);
-  for (auto _ : run) {
-    for (std::size_t i = 0; i < count; ++i) a[i] = b[i] + 3.0 * c[i];
-    benchmark::ClobberMemory();
-  }
-  run.counters["bandwidth"] =
-      benchmark::Counter(static_cast<double>(run.iterations()) * 24.0 * count, benchmark::Counter::kIsRate);
+  bench::per_contact(run, listed(vessel));
 }
 
 }  // namespace
@@ -163,6 +112,6 @@ int main(int argc, char** argv) {
   add("law", law, *in_order);
   add("neighbours", neighbours, *in_order);
   add("look", look, *in_order);
-  benchmark::RegisterBenchmark("triad", triad)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("triad", bench::triad)->Unit(benchmark::kMicrosecond);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -50,14 +50,15 @@ class CaseControl {
     return true;
   }
 
-  /// To be called between two steps, now and then. Writes a checkpoint each minute, and when the run is to stop.
+  /// To be called between two steps, now and then. Writes a checkpoint each minute (less often where that would take more than a
+  /// twentieth of the time), and when the run is to stop.
   /// @throws common::Stopped then
   template <class Scene, class State>
   void between_steps(const Scene& scene, const State& state, double done) {
     done_ = done;
     const bool stops = common::stop_requested() || (stop_ && stop_());
     const auto now = std::chrono::steady_clock::now();
-    if (!stops && now - saved_ < std::chrono::minutes(1)) return;
+    if (!stops && now - saved_ < std::max<std::chrono::nanoseconds>(std::chrono::minutes(1), 20 * save_took_)) return;
     save(scene, state);
     if (stops) throw common::Stopped{"the same command goes on from here"};
   }
@@ -65,8 +66,10 @@ class CaseControl {
   template <class Scene, class State>
   void save(const Scene& scene, const State& state) {
     if (file_.empty()) return;
+    const auto start = std::chrono::steady_clock::now();
     write_checkpoint(file_, {{"settings", settings_}, {"state", state}, {"scene", scene_to_json(scene)}});
     saved_ = std::chrono::steady_clock::now();
+    save_took_ = saved_ - start;
   }
   void finish(const nlohmann::json& result) {
     kept_ = {{"settings", settings_}, {"result", result}};
@@ -83,6 +86,7 @@ class CaseControl {
   std::atomic<double> done_{0.0};
   std::function<bool()> stop_;
   std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
+  std::chrono::nanoseconds save_took_{0};
 };
 
 struct Case {

@@ -123,7 +123,7 @@ void scene_from_json(const nlohmann::json& state, Scene& scene) {
 /// @throws common::InputError naming the file that cannot be written
 inline void write_checkpoint(const std::string& path, const nlohmann::json& checkpoint) {
   common::OutputFile file(path);
-  file.stream() << checkpoint.dump() << '\n';
+  file.stream() << checkpoint << '\n';
   file.complete();
 }
 template <class Scene>

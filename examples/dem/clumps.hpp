@@ -11,6 +11,7 @@
 // summed; all are placed before neighbours are listed.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -70,7 +71,7 @@ class Clumps {
     for (const Pebble& pebble : shape.pebbles) {
       const auto side = contactlaws::sphere(material, pebble.radius).with_mass(clump.mass * mass_share);
       scene.add(Ball{side, where + orientation * pebble.centre, Vec3::Zero(), Vec3::Zero(), false, id});
-      arm_.resize(scene.balls.size(), Vec3::Zero());
+      arm_.resize(scene.balls.size());
       arm_.back() = pebble.centre;
     }
     all.push_back(clump);
@@ -95,19 +96,38 @@ class Clumps {
   void step(Scene& scene) {
     start(scene);
     const double kick = scene.kick(), drift = scene.time_step;
-    bool moved_far = scene.begin_step();
+    const bool others_moved_far = scene.begin_step(), moved_far = move(scene, kick, drift) || others_moved_far;
+    if (moved_far) place_all(scene);
+    scene.finish_step(moved_far);
+    sum_forces(scene);
+  }
+
+  /// The parts of a step that are not the scene's. Moves clumps and active pebbles; whether a clump has moved far enough for
+  /// neighbours to be listed anew.
+  template <class Scene>
+  bool move(Scene& scene, double kick, double drift) {
+    bool moved_far = false;
     for (std::size_t i = 0; i < size(); ++i) {
       move(all[i], scene, kick, drift);
       moved_far = moved_far || !all[i].is_near(listed_[i], scene.allowed_motion());
+      place(scene, all[i], active_.begin() + start_[i], active_.begin() + start_[i + 1]);
     }
-    if (moved_far) {
-      place_all(scene);
-    } else {
-      for (std::size_t i = 0; i < size(); ++i)
-        place(scene, all[i], active_.begin() + start_[i], active_.begin() + start_[i + 1]);
+    return moved_far;
+  }
+  template <class Scene>
+  void sum_forces(const Scene& scene) {
+    if (listing_ != scene.listings) note_listing(scene);
+    for (std::size_t i = 0; i < size(); ++i) {
+      Clump& c = all[i];
+      c.force = c.torque = Vec3::Zero();
+      for (std::ptrdiff_t k = start_[i]; k < start_[i + 1]; ++k) {
+        const std::size_t b = active_[static_cast<std::size_t>(k)];
+        const Vec3 force = scene.balls.force[b], torque = scene.balls.torque[b];
+        const Vec3 arm = scene.balls.position[b] - c.position;
+        c.force += force;
+        c.torque += torque + arm.cross(force);
+      }
     }
-    scene.finish_step(moved_far);
-    sum_forces(scene);
   }
 
   /// Places all pebbles and computes the forces of the bodies as they are; no time passes. step() begins with it where needed.
@@ -145,7 +165,7 @@ class Clumps {
   }
 
  private:
-  std::vector<Vec3> arm_;              ///< of each ball, from the centre of its clump, in the frame of the clump [m]
+  std::vector<Row> arm_;               ///< of each ball, from the centre of its clump, in the frame of the clump [m]
   std::vector<char> kept_;             ///< whether each ball is placed in any case
   std::vector<std::size_t> active_;    ///< pebbles with listed contacts, and those kept placed, by clump
   std::vector<std::ptrdiff_t> start_;  ///< those of clump i are active_[start_[i]] to before active_[start_[i + 1]]
@@ -181,14 +201,25 @@ class Clumps {
 
   template <class Scene, class Ids>
   void place(Scene& scene, const Clump& c, Ids ids, const Ids& end) const {
+    // Position and velocity are linear in the arm in the frame of the clump: X + A arm, and V + w x (A - w x A dt/2) arm.
+    const auto row = [](const Vec3& v) { return Eigen::Vector4d(v.x(), v.y(), v.z(), 0.0); };
     const Eigen::Matrix3d axes = c.orientation.toRotationMatrix();
+    std::array<Eigen::Vector4d, 3> turned_arm, turning;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 axis = axes.col(i);
+      const Vec3 half_a_step_ago = axis - c.spin.cross(axis) * (scene.last_step / 2.0);
+      turned_arm[static_cast<std::size_t>(i)] = row(axis);
+      turning[static_cast<std::size_t>(i)] = row(c.spin.cross(half_a_step_ago));
+    }
+    const Eigen::Vector4d centre = row(c.position), velocity = row(c.velocity), spin = row(c.spin);
     for (; ids != end; ++ids) {
       const std::size_t b = *ids;
-      const Vec3 arm = axes * arm_[b];
-      const Vec3 half_a_step_ago = arm - c.spin.cross(arm) * (scene.last_step / 2.0);
-      scene.balls.position[b] = c.position + arm;
-      scene.balls.velocity[b] = c.velocity + c.spin.cross(half_a_step_ago);
-      scene.balls.spin[b] = c.spin;
+      const Row& arm = arm_[b];
+      Eigen::Vector4d place = centre + (turned_arm[0] * arm.x() + turned_arm[1] * arm.y() + turned_arm[2] * arm.z());
+      place.w() = scene.balls.position[b].w;  // the radius
+      scene.balls.position[b].all() = place;
+      scene.balls.velocity[b].all() = velocity + (turning[0] * arm.x() + turning[1] * arm.y() + turning[2] * arm.z());
+      scene.balls.spin[b].all() = spin;
     }
   }
   template <class Scene>
@@ -210,22 +241,6 @@ class Clumps {
       for (std::size_t b = clump.first; b < clump.last; ++b)
         if (touched[b]) active_.push_back(b);
       start_.push_back(static_cast<std::ptrdiff_t>(active_.size()));
-    }
-  }
-
-  template <class Scene>
-  void sum_forces(const Scene& scene) {
-    if (listing_ != scene.listings) note_listing(scene);
-    for (std::size_t i = 0; i < size(); ++i) {
-      Clump& c = all[i];
-      c.force = c.torque = Vec3::Zero();
-      for (std::ptrdiff_t k = start_[i]; k < start_[i + 1]; ++k) {
-        const std::size_t b = active_[static_cast<std::size_t>(k)];
-        const Vec3 force = scene.balls.force[b], torque = scene.balls.torque[b];
-        const Vec3 arm = scene.balls.position[b] - c.position;
-        c.force += force;
-        c.torque += torque + arm.cross(force);
-      }
     }
   }
 };

@@ -40,10 +40,11 @@ struct RowEntry {
 
 }  // namespace detail
 
-/// All pairs (first < second, in no particular order) whose gap is at most `reach` [m]. @throws std::runtime_error naming a ball whose position is not finite
-template <class Position>
+/// All pairs (first < second, in no particular order) whose gap is at most `reach` [m] and that `wanted(one, two)` wants.
+/// @throws std::runtime_error naming a ball whose position is not finite
+template <class Position, class Wanted>
 std::vector<Pair> find_neighbours(const std::vector<Position>& position, const std::vector<double>& radius,
-                                  double reach) {
+                                  double reach, const Wanted& wanted) {
   using detail::RowEntry;
   const std::size_t count = position.size();
   if (count == 0) return {};
@@ -82,13 +83,18 @@ std::vector<Pair> find_neighbours(const std::vector<Position>& position, const s
           const auto o = static_cast<std::size_t>(other->ball);
           const bool is_larger = radius[o] > radius[i] || (radius[o] == radius[i] && other->ball >= id);
           if (is_larger) continue;  // finds this pair itself
-          if ((position[o] - p).norm() - radius[o] - radius[i] <= reach)
+          if (wanted(i, o) && (position[o] - p).norm() - radius[o] - radius[i] <= reach)
             pairs.push_back({std::min(id, other->ball), std::max(id, other->ball)});
         }
       }
     }
   }
   return pairs;
+}
+template <class Position>
+std::vector<Pair> find_neighbours(const std::vector<Position>& position, const std::vector<double>& radius,
+                                  double reach) {
+  return find_neighbours(position, radius, reach, [](std::size_t, std::size_t) { return true; });
 }
 
 }  // namespace dem

@@ -228,12 +228,10 @@ class Simulation {
     const auto wall_overlap = [&, this](std::size_t w, std::size_t b) {
       return wall_motion().template at<double>(index(w), index(b)).geometry.overlap;
     };
-    std::vector<Pair> near = find_neighbours(balls.position, balls.radius, reach);
-    const auto in_one_body = [this](const Pair& pair) {
-      const int group = balls.group[static_cast<std::size_t>(pair.first)];
-      return group != -1 && group == balls.group[static_cast<std::size_t>(pair.second)];
+    const auto apart = [this](std::size_t i, std::size_t j) {
+      return balls.group[i] == -1 || balls.group[i] != balls.group[j];
     };
-    near.erase(std::remove_if(near.begin(), near.end(), in_one_body), near.end());
+    const std::vector<Pair> near = find_neighbours(balls.position, balls.radius, reach, apart);
     std::vector<Pair> at_walls;
     for (std::size_t w = 0; w < walls.size(); ++w)
       for (std::size_t b = 0; b < balls.size(); ++b)

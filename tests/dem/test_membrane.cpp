@@ -1,6 +1,6 @@
 // The membrane of examples/ballast/probe: its tension under pressure, and what it passes on.
 #include "ballast/probe/membrane.hpp"
-#include "ballast/probe/sample.hpp"
+#include "ballast/probe/packing.hpp"
 #include "catch.hpp"
 
 using namespace probe;
@@ -44,25 +44,28 @@ double hoop_tension(const Membrane& membrane, double low, double high) {
   return sum / 2.0 / (high - low);
 }
 
-struct NoGrains {
-  dem::Balls balls;
-  double last_step;
-};
+/// A scene without grains, whose last step took so long [s].
+dem::Simulation<Boundary> no_grains(double last_step) {
+  dem::Simulation<Boundary> scene(boundary_law());
+  scene.last_step = last_step;
+  return scene;
+}
 
 /// Inflates the membrane; the top row is held, or carries the pressure on a lid.
 Membrane inflated(const MembraneSettings& settings, double height, bool lid, double& distance) {
   Membrane membrane(settings, radius, height);
   dem::Clumps none;
-  const NoGrains grains{{}, 5e-5};
-  double speed = 0.0;
+  dem::Simulation<Boundary> grains = no_grains(5e-5);
+  const dem::Wall bottom{{}, Vec3::Zero(), Vec3::UnitZ()};
+  dem::Wall top{{}, {0.0, 0.0, height}, -Vec3::UnitZ()};
   distance = radius + settings.sphere_radius;
   for (int i = 0; i < 20000; ++i) {
     if (lid) {
       const double middle = membrane.scene.balls.position[membrane.spheres() / 2].head<2>().norm();
       const double lacking = -pressure * middle / 2.0 - axial_tension(membrane, height * 0.497);
-      speed = 2e-3 * lacking;
+      top.velocity.z() = 2e-3 * lacking;
     }
-    membrane.step(grains, none, pressure, 0.0, speed);
+    membrane.step(grains, none, pressure, bottom, top);
   }
   distance = membrane.scene.balls.position[membrane.spheres() / 2].head<2>().norm();
   return membrane;
@@ -81,6 +84,28 @@ TEST_CASE("an inflated membrane: hoop tension p R, axial tension p R / 2 under a
   // Triangular lattices have Poisson's ratio 1/3. The lid carries p R / 2.
   CHECK(axial_tension(membrane, height * 0.497) ==
         Approx(-pressure * distance / (lid ? 2.0 : 3.0)).epsilon(lid ? 0.02 : 0.05));
+}
+
+TEST_CASE("the highest row of the membrane follows a platen that tilts") {
+  double height = 0.0;
+  const MembraneSettings settings = even(36, 11, height);
+  Membrane membrane(settings, radius, height);
+  dem::Clumps none;
+  dem::Simulation<Boundary> grains = no_grains(1e-5);
+  const dem::Wall bottom{{}, Vec3::Zero(), Vec3::UnitZ()};
+  dem::Wall top{{}, {0.0, 0.0, height}, -Vec3::UnitZ()};
+  top.spin = {0.3, -0.2, 0.0};
+  constexpr int steps = 100;
+  for (int i = 0; i < steps; ++i) {
+    membrane.step(grains, none, 0.0, bottom, top);
+    top.move(grains.last_step);
+  }
+  for (std::size_t i = membrane.spheres() - 36; i < membrane.spheres(); ++i) {
+    // Still in the plane of the platen: the step's error is (spin x time)^2 of the distance, 1e-8 m.
+    const Vec3 from_centre = membrane.scene.balls.position[i] - top.point;
+    CHECK(from_centre.dot(top.facing) == Approx(0.0).margin(1e-8));
+  }
+  CHECK(Vec3(membrane.scene.balls.position[0]).z() == 0.0);
 }
 
 TEST_CASE("the membrane weighs what 4 mm of rubber weigh, and has 12 600 spheres") {

@@ -115,6 +115,63 @@ TEST_CASE("the pressure of the cylinder comes to rest at the pressure outside, w
   CHECK(test.state.identity < 1e-5);
 }
 
+TEST_CASE("a platen that tilts: inclination at rest and period on three springs, as of a disc in closed form") {
+  // Three fixed balls on a circle carry the top platen from below, in this case a disc facing down; one stands `higher` than the
+  // others. Moments vanish only where all three forces are equal, so the platen takes the slope of the three tops.
+  constexpr double around = 0.1, higher = 1e-5, ball_radius = 0.01;  // [m]
+  dem::Simulation<Boundary> scene(boundary_law());
+  scene.log = nullptr;
+  Vessel vessel;
+  vessel.add_to(scene, 0.15, 0.4);
+  for (int i = 0; i < 3; ++i) {
+    const double turn = 2.0 * contactlaws::pi<double>() * i / 3.0;
+    const double top = 0.4 + (i == 0 ? higher : 0.0);
+    scene.add(dem::Ball{contactlaws::sphere(granite, ball_radius),
+                        {around * std::cos(turn), around * std::sin(turn), top - ball_radius},
+                        Vec3::Zero(),
+                        Vec3::Zero(),
+                        false});
+  }
+  vessel.top_moves = vessel.top_tilts = true;
+  vessel.pressure = 1.5e3;
+  scene.time_step = 1e-5;
+  const auto slope = [&scene] {
+    const Vec3& facing = scene.walls[Vessel::top].facing;
+    return facing.x() / facing.z();  // rises with x
+  };
+  const auto step = [&] {
+    vessel.push(scene);
+    scene.step();
+  };
+  scene.local_damping = 0.7;
+  for (int i = 0; i < 20000; ++i) step();
+  const double rest = -higher / (1.5 * around);
+  // The contact on a ball moves by the slope times its radius: the load times the radius is 2e-5 of the springs' 3/2 k a^2.
+  CHECK(slope() == Approx(rest).epsilon(1e-4));
+  CHECK(scene.walls[Vessel::top].facing.norm() == Approx(1.0).epsilon(1e-12));
+  CHECK(scene.walls[Vessel::top].facing.y() == Approx(0.0).margin(1e-9));
+
+  // Swings about the rest: three springs k at the distance a resist a tilt with 3/2 k a^2.
+  scene.local_damping = 0.0;
+  scene.walls[Vessel::top].spin = {0.0, 1e-4, 0.0};
+  const double mass = Vessel::platen_mass_per_area * contactlaws::pi<double>() * 0.15 * 0.15;
+  const double inertia = mass * (0.15 * 0.15 / 4.0 + 0.04 * 0.04 / 12.0);
+  const double period =
+      2.0 * contactlaws::pi<double>() * std::sqrt(inertia / (1.5 * boundary_stiffness * around * around));
+  double first = 0.0, last = 0.0;  // times at which it comes through the rest upward
+  int swings = -1;
+  for (double before = slope(); swings < 10;) {
+    step();
+    const double now = slope();
+    if (before < rest && now >= rest) {
+      last = scene.time;
+      if (++swings == 0) first = last;
+    }
+    before = now;
+  }
+  CHECK((last - first) / 10.0 == Approx(period).epsilon(1e-3));  // a step in ten periods is 1e-4 of them
+}
+
 TEST_CASE("the three laws differ on one small sample as on the large one") {
   TemporaryFolder folder;
   Tests tests;
@@ -145,6 +202,7 @@ TEST_CASE("a test that was stopped goes on with the same bits") {
   const auto [stop_in, membrane] =
       GENERATE(table<Phase, bool>({{Phase::confine, false}, {Phase::load, false}, {Phase::confine, true}}));
   plan.membrane = membrane;
+  plan.tilts = true;
   if (membrane) plan.settle_time = 0.005;
   Test<ElastoPlastic> whole(plan, shapes(), small_sample());
   while (whole.state.phase != stop_in || whole.specimen.scene.steps % 100 != 37) whole.step();
@@ -171,6 +229,68 @@ TEST_CASE("a test that was stopped goes on with the same bits") {
     CHECK(one.orientation.coeffs() == other.orientation.coeffs());
     CHECK(one.angular_momentum == other.angular_momentum);
   }
+}
+
+TEST_CASE("packing that was stopped in either phase goes on with the same bits") {
+  TemporaryFolder folder;
+  SampleSize size;
+  size.diameter = 0.12;
+  size.height = 0.18;
+  size.voids_ratio = 1.5;  // few grains
+  // Stops at the n-th look, as Ctrl-C does.
+  const auto stopped_twice = [&](const char* name, const auto& phase) {
+    for (const int looks : {7, 11, 0}) {
+      dem::CaseControl control((folder.path / name).string(), {});
+      int seen = 0;
+      if (looks > 0) control.stop_when([&seen, looks] { return ++seen == looks; });
+      try {
+        const Sample sample = phase(control);
+        CHECK(looks == 0);
+        return sample;
+      } catch (const common::Stopped&) {
+        CHECK(looks > 0);
+      }
+    }
+    return Sample{};
+  };
+  dem::CaseControl no_file;
+  const Sample shrunk = shrink(size, shapes(), no_file);
+  const Sample shrunk_in_parts =
+      stopped_twice("shrink", [&](dem::CaseControl& control) { return shrink(size, shapes(), control); });
+  CHECK(nlohmann::json(shrunk_in_parts) == nlohmann::json(shrunk));
+  const Sample relaxed = relax(shrunk, shapes(), no_file);
+  const Sample relaxed_in_parts =
+      stopped_twice("relax", [&](dem::CaseControl& control) { return relax(shrunk, shapes(), control); });
+  CHECK(nlohmann::json(relaxed_in_parts) == nlohmann::json(relaxed));
+}
+
+TEST_CASE("a test goes back to the same bits after a probe of noise, also where it was stopped in one") {
+  TemporaryFolder folder;
+  TestPlan plan = hasty();
+  plan.tilts = true;
+  Test<Elastic> plain(plan, shapes(), small_sample());
+  plan.noise_levels = {1e-4};
+  plan.noise_strain = 1e-8;
+  Test<Elastic> noisy(plan, shapes(), small_sample());
+  while (noisy.state.phase != Phase::load) noisy.step();
+  for (int i = 0; i < 150; ++i) noisy.step();
+  dem::CaseControl control((folder.path / "noisy").string(), {});
+  control.save(noisy.specimen.scene, noisy);
+  Test<Elastic> resumed(plan, shapes(), small_sample());
+  dem::CaseControl again((folder.path / "noisy").string(), {});
+  REQUIRE(again.resume(resumed.specimen.scene, resumed));
+  const auto to_load = [](Test<Elastic>& test, std::size_t probes) {
+    while (test.state.phase != Phase::load || test.state.noise.size() < probes) test.step();
+  };
+  to_load(plain, 0);
+  to_load(resumed, 1);
+  CHECK(resumed.state.noise[0].load.size() > 5);
+  CHECK(resumed.state.noise[0].unbalanced <= 1e-4);
+  CHECK(resumed.state.noise[0].unbalanced > 1e-6);
+  CHECK(resumed.state.rest_unbalanced == plain.state.rest_unbalanced);
+  CHECK(resumed.specimen.scene.steps == plain.specimen.scene.steps);
+  for (std::size_t i = 0; i < plain.specimen.clumps.size(); ++i)
+    CHECK(resumed.specimen.clumps.all[i].position == plain.specimen.clumps.all[i].position);
 }
 
 TEST_CASE("an unstable step and a grain that leaves the vessel: the message says what, when, and what to try") {
