@@ -153,6 +153,9 @@ struct CapillaryLaw {
   }
 };
 
+template <class T>
+using SpringAndTwist = RollAndTwist<T, RollingSpringDashpot<T>>;
+
 struct DashpotsLaw {
   template <class T, class Use>
   auto operator()(const Given<T>& given, const Use& use) const;
@@ -328,7 +331,12 @@ inline const auto& rolling_laws() {
   static const std::tuple laws{
       law<NoRolling>("none", ""),
       law<RollingSpring>("spring", "elastic-plastic spring against rolling: |M| <= rolling_friction R* P",
-                         {"effective_radius"})};
+                         {"effective_radius"}),
+      law<RollingTorque>("torque", "constant torque rolling_friction R* P against rolling; 0 at rest",
+                         {"effective_radius"}),
+      law<SpringAndTwist>("spring_dashpot_twisting",
+                          "spring with a dashpot against rolling, spring against twisting; beside Hertz",
+                          {"effective_radius", "effective_mass", "effective_young", "effective_shear"})};
   return laws;
 }
 

@@ -246,6 +246,7 @@ struct ContactLaw {
       const RollingResponse<T> rolled = rolling.respond(result.state, input);
       result.couple = rolled.couple;
       result.friction_work = result.friction_work + rolled.friction_work;
+      result.dashpot_work = result.dashpot_work + rolled.dashpot_work;
     }
   }
 

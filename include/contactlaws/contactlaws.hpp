@@ -7,5 +7,8 @@
 #include "contactlaws/energy.hpp"
 #include "contactlaws/laws.hpp"
 #include "contactlaws/normal/linear_hysteretic.hpp"
+#include "contactlaws/rolling/rolling_spring_dashpot.hpp"
+#include "contactlaws/rolling/rolling_torque.hpp"
+#include "contactlaws/rolling/twisting_spring.hpp"
 #include "contactlaws/tangential/mindlin_deresiewicz.hpp"
 #include "contactlaws/timestep.hpp"

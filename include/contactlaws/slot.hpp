@@ -135,6 +135,7 @@ template <class T>
 struct RollingResponse {
   Vec3<T> couple;   ///< on body 2 [N m]
   T friction_work;  ///< heat from rolling against friction in this step [J]
+  T dashpot_work;   ///< heat of a dashpot against rolling in this step [J]
 };
 
 namespace detail {

@@ -133,7 +133,11 @@ double changed_by_set_up(const ErasedLaw<T>& law, const Instant<T>& now) {
   const auto again = law.step(now.pair, set_up, now.step.state);
   const T tiny = std::numeric_limits<T>::min();
   const T force = norm<T>(Vec3<T>(again.force - now.step.force)) / (force_scale(now.step) + tiny);
-  const T couple = norm<T>(Vec3<T>(again.couple - now.step.couple)) / (norm<T>(now.step.couple) + tiny);
+  T largest_couple = norm<T>(now.step.couple);  // or the spring's, where a dashpot acts against it
+  for (std::size_t i = 0; i < law.state_size(); ++i)
+    if (law.state_values[i].unit == std::string_view("N m"))
+      largest_couple = maximum<T>(largest_couple, T(abs(now.step.state[i])));
+  const T couple = norm<T>(Vec3<T>(again.couple - now.step.couple)) / (largest_couple + tiny);
   T worst = maximum<T>(force, couple);
   for (std::size_t i = 0; i < law.state_size(); ++i) {
     const std::string_view unit = law.state_values[i].unit;

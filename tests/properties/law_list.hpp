@@ -68,6 +68,9 @@ void visit_each_slot(const Visit& visit) {
   visit("CohesivePowder", 7, compose(Jkr<T>{0.5}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit("MindlinDeresiewicz", 17, compose(s.hertz, s.damped, MindlinDeresiewicz<T>{{}, {0.4}}, s.dry));
   visit("Hertz rolling", 6, compose(s.hertz, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
+  visit("Rolling torque", 0, compose(s.hertz, s.undamped, s.smooth, s.dry, RollingTorque<T>{0.1}));
+  visit("Rolling dashpot, twisting", 4,
+        compose(s.hertz, s.undamped, s.smooth, s.dry, RollAndTwist<T, RollingSpringDashpot<T>>{{{}, 0.2, 0.3}, {0.4}}));
   visit(
       "Static and kinetic friction", 5,
       compose(s.hertz, s.undamped,
@@ -92,6 +95,10 @@ void visit_laws(const Visit& visit) {
   visit("LinearSpringDashpot clipped", 3,
         compose(s.spring, s.clipped, ShearForce<T, ConstantRatio<T>>{s.ratio, 0.4}, s.dry));
   visit("Hysteretic clipped", 1, compose(LinearHysteretic<T>{1e6, 2e6, 0.0, 1e-4}, s.clipped, s.smooth, s.dry));
+  visit("Rolling of shear", 3,
+        compose(s.spring, s.damped, s.smooth, s.dry, RollingSpringDashpot<T, ShearRolling<T>>{{0.6}, 0.1, 0.2}));
+  visit("Rolling of a given stiffness", 3,
+        compose(s.hertz, s.clipped, s.smooth, s.dry, RollingSpringDashpot<T, GivenRolling<T>>{{10.0}, 0.1, 0.2}));
   visit("Jkr wet", 2, compose(Jkr<T>{0.5}, s.undamped, s.smooth, s.wet));
   visit("Hertz damped", 0, compose(s.hertz, s.damped, s.smooth, s.dry));
   visit("Hertz wet", 1, compose(s.hertz, s.undamped, s.smooth, s.wet));

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "contactlaws/core/limit.hpp"
 #include "contactlaws/core/parameter.hpp"
@@ -34,6 +35,43 @@ struct NoRolling {
   static constexpr std::array<Parameter<NoRolling, T>, 0> parameters() { return {}; }
   static constexpr std::array<StateValue, 0> state_values() { return {}; }
 };
+
+namespace detail {
+
+template <class T>
+struct Rolled {
+  RollingResponse<T> response;
+  Vec3<T> spin;   ///< w_r [rad/s]
+  Mask<T> slips;  ///< at the limit, to roundings: a step of dt = 0 finds what the one before found
+};
+/// One step of the spring k against rolling, whose couple is at most `limit`.
+template <class T>
+CONTACTLAWS_HD Rolled<T> roll(std::array<T, 3>& stored, const RollingInput<T>& in, const T& k,
+                              const T& limit) noexcept {
+  typename rotation::ProjectRestore<T>::State none;
+  const Vec3<T>& n = in.kinematics.normal;
+  const Vec3<T>& spin = in.kinematics.relative_spin;
+  const Vec3<T> before = rotation::ProjectRestore<T>::apply(none, {stored[0], stored[1], stored[2]}, n, T(0));
+  const Vec3<T> rolling = spin - n * dot<T>(spin, n);
+  const Vec3<T> trial = before - rolling * in.kinematics.dt * k;
+  const LengthLimit<T> limited = length_limit<T>(trial, limit, limit);
+  const Vec3<T> couple = trial * limited.factor;
+  stored = {couple.x(), couple.y(), couple.z()};
+  using Lane = typename ScalarTraits<T>::Lane;
+  const Mask<T> slips =
+      !surely_within<T>(couple, T(limit * T(Lane(1) - Lane(16) * std::numeric_limits<Lane>::epsilon())));
+  const T work = select<T>(limited.exceeded, T(limited.excess * limit), T(0)) / select<T>(k > T(0), k, T(1));
+  return {{couple, work, T(0)}, rolling, slips};
+}
+/// M^2 / (2 k_r) [J]
+template <class T>
+CONTACTLAWS_HD T rolling_energy(const std::array<T, 3>& stored, const T& k) noexcept {
+  const Vec3<T> couple(stored[0], stored[1], stored[2]);
+  const Mask<T> closed = k > T(0);
+  return select<T>(closed, dot<T>(couple, couple), T(0)) / (T(2) * select<T>(closed, k, T(1)));
+}
+
+}  // namespace detail
 
 template <class T>
 struct RollingSpring {
@@ -65,26 +103,13 @@ struct RollingSpring {
   }
 
   CONTACTLAWS_HD RollingResponse<T> respond(State& state, const RollingInput<T>& in) const noexcept {
-    typename rotation::ProjectRestore<T>::State none;
-    const Vec3<T>& n = in.kinematics.normal;
-    const Vec3<T>& spin = in.kinematics.relative_spin;
-    const Vec3<T> stored(state.rolling_couple[0], state.rolling_couple[1], state.rolling_couple[2]);
-    const Vec3<T> rolled = (spin - n * dot<T>(spin, n)) * in.kinematics.dt;
-    const T k = stiffness(in.pair, in.normal_stiffness);
-    const Vec3<T> trial = rotation::ProjectRestore<T>::apply(none, stored, n, T(0)) - rolled * k;
     const T limit = rolling_friction * in.pair.effective_radius * in.load;
-    const detail::LengthLimit<T> limited = detail::length_limit<T>(trial, limit, limit);
-    const Vec3<T> couple = trial * limited.factor;
-    state.rolling_couple = {couple.x(), couple.y(), couple.z()};
-    return {couple, select<T>(limited.exceeded, limited.excess * limit, T(0)) / select<T>(k > T(0), k, T(1))};
+    return detail::roll<T>(state.rolling_couple, in, stiffness(in.pair, in.normal_stiffness), limit).response;
   }
 
   /// Stored energy M^2 / (2 k_r) [J].
   CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& normal_stiffness) const noexcept {
-    const Vec3<T> couple(state.rolling_couple[0], state.rolling_couple[1], state.rolling_couple[2]);
-    const T k = stiffness(pair, normal_stiffness);
-    const Mask<T> closed = k > T(0);
-    return select<T>(closed, dot<T>(couple, couple), T(0)) / (T(2) * select<T>(closed, k, T(1)));
+    return detail::rolling_energy<T>(state.rolling_couple, stiffness(pair, normal_stiffness));
   }
 };
 
