@@ -137,7 +137,11 @@ double changed_by_set_up(const ErasedLaw<T>& law, const Instant<T>& now) {
   for (std::size_t i = 0; i < law.state_size(); ++i)
     if (law.state_values[i].unit == std::string_view("N m"))
       largest_couple = maximum<T>(largest_couple, T(abs(now.step.state[i])));
-  const T couple = norm<T>(Vec3<T>(again.couple - now.step.couple)) / (largest_couple + tiny);
+  // Rolling carries the roundings of the whole spin, as slip does those of the velocity.
+  const Vec3<T>& w = now.kinematics.relative_spin;
+  const T spin = norm<T>(w), rolling = norm<T>(Vec3<T>(w - now.kinematics.normal * dot<T>(w, now.kinematics.normal)));
+  const T share = spin > T(0) ? T(rolling / spin) : T(1);
+  const T couple = share * norm<T>(Vec3<T>(again.couple - now.step.couple)) / (largest_couple + tiny);
   T worst = maximum<T>(force, couple);
   for (std::size_t i = 0; i < law.state_size(); ++i) {
     const std::string_view unit = law.state_values[i].unit;
@@ -148,7 +152,8 @@ double changed_by_set_up(const ErasedLaw<T>& law, const Instant<T>& now) {
     for (std::size_t j = 0; component && j < law.state_size(); ++j)
       if (law.state_values[j].kind == ValueKind::vector && law.state_values[j].unit == unit)
         scale = maximum<T>(scale, T(abs(now.step.state[j])));
-    worst = maximum<T>(worst, T(abs(again.state[i] - now.step.state[i]) / (scale + tiny)));
+    const T part = unit == "N m" && component ? share : T(1);
+    worst = maximum<T>(worst, T(part * abs(again.state[i] - now.step.state[i]) / (scale + tiny)));
   }
   const Vec3<T>& v = now.kinematics.velocity;
   const Vec3<T> slip = v - now.kinematics.normal * dot<T>(v, now.kinematics.normal);

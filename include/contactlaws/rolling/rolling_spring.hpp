@@ -58,8 +58,7 @@ CONTACTLAWS_HD Rolled<T> roll(std::array<T, 3>& stored, const RollingInput<T>& i
   const Vec3<T> couple = trial * limited.factor;
   stored = {couple.x(), couple.y(), couple.z()};
   using Lane = typename ScalarTraits<T>::Lane;
-  const Mask<T> slips =
-      !surely_within<T>(couple, T(limit * T(Lane(1) - Lane(16) * std::numeric_limits<Lane>::epsilon())));
+  const Mask<T> slips = !(norm<T>(couple) < limit * T(Lane(1) - Lane(16) * std::numeric_limits<Lane>::epsilon()));
   const T work = select<T>(limited.exceeded, T(limited.excess * limit), T(0)) / select<T>(k > T(0), k, T(1));
   return {{couple, work, T(0)}, rolling, slips};
 }
