@@ -16,8 +16,8 @@ esac
 
 # shellcheck source=cmake/install_packages.sh
 . cmake/install_packages.sh
-install_packages g++ make cmake libeigen3-dev nlohmann-json3-dev 'libboost1.81-dev|libboost-dev' libtomlplusplus-dev libcli11-dev \
-  python3-matplotlib
+install_packages g++ make cmake libeigen3-dev libxsimd-dev nlohmann-json3-dev 'libboost1.81-dev|libboost-dev' libtomlplusplus-dev \
+  libcli11-dev python3-matplotlib
 
 cmake --preset release -B build/examples -DCONTACTLAWS_BUILD_TESTS=OFF -DCONTACTLAWS_BUILD_BENCH=OFF
 cmake --build build/examples -j "$(nproc)"

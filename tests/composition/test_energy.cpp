@@ -128,9 +128,9 @@ TEST_CASE("Energy: work = stored + dissipated, converging with the step; what pr
     // First order at least, until a step decides that slip begins or ends in, or that a bridge ruptures in: one in 1e5 of the
     // work, or of the energy of the bridge.
     // Partial slip: which corner of the history is dropped in a step, a few % of the force.
-    const double forgets = law->name.find("Mindlin") == 0 ? 0.05 * std::abs(finest.dissipated()) : 0.0;
+    const double dropped = law->name.find("Mindlin") == 0 ? 0.05 * std::abs(finest.dissipated()) : 0.0;
     const double in_one_step =
-        forgets + 1e-5 * (std::abs(finest.dissipated()) + std::abs(finest.stored_at_start)) + 1e-14;
+        dropped + 1e-5 * (std::abs(finest.dissipated()) + std::abs(finest.stored_at_start)) + 1e-14;
     CHECK(change <= 0.75 * std::abs(fine.dissipated() - coarse.dissipated()) + in_one_step);
     if (law->conserves) CHECK(finest.dissipated() >= -2 * change - 1e-14);
     const bool elastic = !law->damps && !law->shears && law->name.find("Rough") != 0;
