@@ -133,10 +133,11 @@ double changed_by_set_up(const ErasedLaw<T>& law, const Instant<T>& now) {
   const auto again = law.step(now.pair, set_up, now.step.state);
   const T tiny = std::numeric_limits<T>::min();
   const T force = norm<T>(Vec3<T>(again.force - now.step.force)) / (force_scale(now.step) + tiny);
+  // A history that a step takes back almost all of keeps the roundings of what it was.
+  const auto size = [&now](std::size_t i) { return maximum<T>(T(abs(now.state[i])), T(abs(now.step.state[i]))); };
   T largest_couple = norm<T>(now.step.couple);  // or the spring's, where a dashpot acts against it
   for (std::size_t i = 0; i < law.state_size(); ++i)
-    if (law.state_values[i].unit == std::string_view("N m"))
-      largest_couple = maximum<T>(largest_couple, T(abs(now.step.state[i])));
+    if (law.state_values[i].unit == std::string_view("N m")) largest_couple = maximum<T>(largest_couple, size(i));
   // Rolling carries the roundings of the whole spin, as slip does those of the velocity.
   const Vec3<T>& w = now.kinematics.relative_spin;
   const T spin = norm<T>(w), rolling = norm<T>(Vec3<T>(w - now.kinematics.normal * dot<T>(w, now.kinematics.normal)));
@@ -148,10 +149,10 @@ double changed_by_set_up(const ErasedLaw<T>& law, const Instant<T>& now) {
     const bool component = law.state_values[i].kind == ValueKind::vector;
     if (!component && unit == "1" && again.state[i] != now.step.state[i])
       return std::numeric_limits<double>::infinity();
-    T scale = abs(now.step.state[i]);
+    T scale = size(i);
     for (std::size_t j = 0; component && j < law.state_size(); ++j)
       if (law.state_values[j].kind == ValueKind::vector && law.state_values[j].unit == unit)
-        scale = maximum<T>(scale, T(abs(now.step.state[j])));
+        scale = maximum<T>(scale, size(j));
     const T part = unit == "N m" && component ? share : T(1);
     worst = maximum<T>(worst, T(part * abs(again.state[i] - now.step.state[i]) / (scale + tiny)));
   }
