@@ -296,8 +296,7 @@ inline const auto& shear_laws() {
                                                            "the same, times k/k_before where k falls"),
       Entry<PartialSlipLaw>{{"partial_slip",
                              "Mindlin and Deresiewicz: the edge slips while the centre sticks; beside a normal law "
-                             "with a contact radius that "
-                             "does not pull",
+                             "with a contact radius that does not pull",
                              {},
                              number_keys<MindlinDeresiewicz<double>>(),
                              {rotation_key(),

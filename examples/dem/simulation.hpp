@@ -126,7 +126,7 @@ class Simulation {
   template <class Vector>
   Vector damped(const Vector& load, const Vector& velocity) const {
     if (!(local_damping > 0.0)) return load;
-    const auto sign = (velocity.array() * 1e308).max(-1.0).min(1.0);  // without a branch
+    const auto sign = (velocity.array() * 1e308).max(-1.0).min(1.0);  // no branches: signs cannot be predicted
     return load.array() - local_damping * load.array().abs() * sign;
   }
 

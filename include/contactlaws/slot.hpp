@@ -140,6 +140,13 @@ struct RollingResponse {
 
 namespace detail {
 
+/// Energy of a spring from the square of its force, or couple [J]; 0 where it has no stiffness.
+template <class T>
+CONTACTLAWS_HD T spring_energy(const T& square, const T& stiffness) noexcept {
+  const Mask<T> stiff = stiffness > T(0);
+  return select<T>(stiff, square, T(0)) / (T(2) * select<T>(stiff, stiffness, T(1)));
+}
+
 template <class Normal, class = void>
 inline constexpr bool adheres = false;
 template <class Normal>

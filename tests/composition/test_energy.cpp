@@ -127,7 +127,7 @@ TEST_CASE("Energy: work = stored + dissipated, converging with the step; what pr
     INFO(coarse.dissipated() << ' ' << fine.dissipated() - coarse.dissipated() << ' ' << change);
     // First order at least, until a step decides that slip begins or ends in, or that a bridge ruptures in: one in 1e5 of the
     // work, or of the energy of the bridge.
-    // Partial slip: which corner of the history is dropped in a step, a few % of the force.
+    // Partial slip: the step decides which corner of the history is dropped, 5 % of the force (mindlin_deresiewicz.hpp).
     const double dropped = law->name.find("Mindlin") == 0 ? 0.05 * std::abs(finest.dissipated()) : 0.0;
     const double in_one_step =
         dropped + 1e-5 * (std::abs(finest.dissipated()) + std::abs(finest.stored_at_start)) + 1e-14;

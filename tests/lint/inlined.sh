@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 case $(uname -m) in x86_64 | amd64) ;; *) exit 77 ;; esac
 assembly=$(mktemp)
 trap 'rm -f "$assembly"' EXIT
-for law in DryHill Hill RoughBallast CohesivePowder; do
+for law in DryHill Hill RoughBallast CohesivePowder WetGrains PlasticGrains; do
   law="contactlaws::$law<double>"
   echo "template void contactlaws::evaluate<$law>(const $law&, const ContactBatch<$law>&) noexcept;"
 done |

@@ -192,8 +192,8 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
   double yielding(const PairProperties<double>& pair, const double* history) const {
     return law_.normal.plastic_dissipation(Law::load(history), pair);
   }
-  /// Adds to the virial the force on an atom times the way from the wall to its centre (xz: that in x times
-  // the force in z, as between atoms).
+  /// Adds to the virial the force on an atom times the way from the wall to its centre (xz: that in x times the force in z, as
+  /// between atoms).
   void tally(int i, const SphereContact<double>& contact, const Vec3<double>& force) {
     const Vec3<double> way = contact.kinematics.normal * contact.distance;
     double virial[6] = {way[0] * force[0], way[1] * force[1], way[2] * force[2],
@@ -263,8 +263,8 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
   LAMMPS_NS::bigint first_step_ = 0;  ///< in which the motion began
   double wet_gap_ = -1.0;
   double** histories_ = nullptr;  ///< of each atom: side by side
-  std::array<double, 6>
-      totals_{};  ///< of this rank: force on the wall, heat of friction, of dashpots, of yielding at opened contacts
+  /// Of this rank: force on the wall, heat of friction, of dashpots, and of yielding at contacts that have opened.
+  std::array<double, 6> totals_{};
   LAMMPS_NS::Fix* rigid_ = nullptr;
 };
 

@@ -115,6 +115,14 @@ CONTACTLAWS_HD T dot(const Vec3<T>& a, const Vec3<T>& b) noexcept {
   return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
 }
 
+/// sqrt(x), and 0 where x <= 0: there, unlike a square root, it has a derivative.
+template <class T>
+CONTACTLAWS_HD T sqrt_of_positive(const T& x) noexcept {
+  using std::sqrt;
+  const Mask<T> none = x <= T(0);  // not where it is NaN
+  return select<T>(none, T(0), T(sqrt(select<T>(none, T(1), x))));
+}
+
 /// sqrt(a b) of a > 0, b >= 0, also where their product would underflow.
 template <class T>
 CONTACTLAWS_HD T sqrt_of_product(const T& a, const T& b) noexcept {

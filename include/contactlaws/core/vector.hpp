@@ -68,18 +68,15 @@ class PlainVec3 {
   T value_[3];
 };
 
-#if defined(CONTACTLAWS_NO_EIGEN)
-template <class T>
-struct VectorOf {
-  using type = PlainVec3<T>;
-};
-#else
 /// The vector type of a scalar; packs specialise it (scalars/xsimd.hpp).
 template <class T>
 struct VectorOf {
+#if defined(CONTACTLAWS_NO_EIGEN)
+  using type = PlainVec3<T>;
+#else
   using type = Eigen::Matrix<T, 3, 1>;
-};
 #endif
+};
 
 /// A vector in space.
 template <class T>

@@ -55,17 +55,16 @@ struct LinearHysteretic {
   static constexpr std::array<StateValue, 1> state_values() { return {{{"largest_overlap", "m", +1}}}; }
 
   CONTACTLAWS_HD Mask<T> touches(const State&, const PairProperties<T>&, const T& overlap) const noexcept {
-    return !(overlap <= T(0));
+    return negate<T>(overlap <= T(0));
   }
   /// Beyond touch the law exerts no force [m].
   CONTACTLAWS_HD T range(const PairProperties<T>&) const noexcept { return T(0); }
 
   CONTACTLAWS_HD PullingResponse<T> respond(State& state, const PairProperties<T>& pair,
                                             const T& overlap) const noexcept {
-    using std::sqrt;
     const T closed = positive_part<T>(overlap);
     const Plastic plastic = yields(pair);
-    const Mask<T> virgin = closed >= state.largest_overlap && !(closed > plastic.overlap);
+    const Mask<T> virgin = closed >= state.largest_overlap && negate<T>(closed > plastic.overlap);
     T largest = select<T>(closed >= state.largest_overlap, closed, state.largest_overlap);
     largest = minimum<T>(largest, plastic.overlap);
     T stiffness = loading_stiffness + plastic.growth * largest;
@@ -78,9 +77,7 @@ struct LinearHysteretic {
     if (any<T>(pulls)) {
       // Of the line through (o, -k_c o): growth (o_m^2 - o o_m) = (k_1 + k_c) o.
       const T along = (loading_stiffness + cohesive_stiffness) * closed / select<T>(pulls, plastic.growth, T(1));
-      const T square = closed * closed + T(4) * along;
-      const Mask<T> has_root = square > T(0);  // a square root has no derivative at 0
-      const T root = select<T>(has_root, T(sqrt(select<T>(has_root, square, T(1)))), T(0));
+      const T root = sqrt_of_positive<T>(T(closed * closed + T(4) * along));
       largest = select<T>(pulls, minimum<T>(largest, T((closed + root) / T(2))), largest);
       stiffness = loading_stiffness + plastic.growth * largest;
       force = select<T>(pulls, -pull, force);

@@ -58,7 +58,8 @@ CONTACTLAWS_HD Rolled<T> roll(std::array<T, 3>& stored, const RollingInput<T>& i
   const Vec3<T> couple = trial * limited.factor;
   stored = {couple.x(), couple.y(), couple.z()};
   using Lane = typename ScalarTraits<T>::Lane;
-  const Mask<T> slips = !(norm<T>(couple) < limit * T(Lane(1) - Lane(16) * std::numeric_limits<Lane>::epsilon()));
+  const Mask<T> slips =
+      negate<T>(norm<T>(couple) < limit * T(Lane(1) - Lane(16) * std::numeric_limits<Lane>::epsilon()));
   const T work = select<T>(limited.exceeded, T(limited.excess * limit), T(0)) / select<T>(k > T(0), k, T(1));
   return {{couple, work, T(0)}, rolling, slips};
 }
@@ -66,8 +67,7 @@ CONTACTLAWS_HD Rolled<T> roll(std::array<T, 3>& stored, const RollingInput<T>& i
 template <class T>
 CONTACTLAWS_HD T rolling_energy(const std::array<T, 3>& stored, const T& k) noexcept {
   const Vec3<T> couple(stored[0], stored[1], stored[2]);
-  const Mask<T> closed = k > T(0);
-  return select<T>(closed, dot<T>(couple, couple), T(0)) / (T(2) * select<T>(closed, k, T(1)));
+  return spring_energy<T>(dot<T>(couple, couple), k);
 }
 
 }  // namespace detail

@@ -87,7 +87,7 @@ struct RollingSpringDashpot : Stiffness {
     const Mask<T> stiff = k > T(0);  // a square root has no derivative at 0
     const T root = sqrt_of_product<T>(in.pair.effective_mass, select<T>(stiff, k, T(1)));
     const T critical = in.pair.effective_radius * root;
-    const T c = select<T>(rolled.slips || !stiff, T(0), T(rolling_damping * critical));
+    const T c = select<T>(rolled.slips || negate<T>(stiff), T(0), T(rolling_damping * critical));
     rolled.response.couple = rolled.response.couple - rolled.spin * c;
     rolled.response.dashpot_work = c * dot<T>(rolled.spin, rolled.spin) * in.kinematics.dt;
     return rolled.response;

@@ -58,10 +58,7 @@ struct TwistingSpring {
 
   /// Stored energy M^2 / (2 k_t) [J].
   CONTACTLAWS_HD T energy(const State& state, const PairProperties<T>& pair, const T& normal_stiffness) const noexcept {
-    const T k = stiffness(pair, normal_stiffness);
-    const Mask<T> closed = k > T(0);
-    return select<T>(closed, T(state.twisting_couple * state.twisting_couple), T(0)) /
-           (T(2) * select<T>(closed, k, T(1)));
+    return detail::spring_energy<T>(state.twisting_couple * state.twisting_couple, stiffness(pair, normal_stiffness));
   }
 
  private:

@@ -257,8 +257,7 @@ struct IncrementalShear : Stiffness, Friction {
     const Vec3<T> history(state.shear[0], state.shear[1], state.shear[2]);
     const T square = dot<T>(history, history);
     if constexpr (stored == Stored::force) {
-      const Mask<T> closed = stiffness > T(0);
-      return select<T>(closed, square, T(0)) / (T(2) * select<T>(closed, stiffness, T(1)));
+      return detail::spring_energy<T>(square, stiffness);
     } else {
       return square * stiffness / T(2);
     }

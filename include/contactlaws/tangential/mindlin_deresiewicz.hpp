@@ -106,8 +106,8 @@ struct MindlinDeresiewicz : Mindlin<T>, Coulomb<T> {
     // Springs that all slip add up to mu P once their directions agree.
     const T length = norm<T>(response.spring);
     response.sliding =
-        limited.slides && !(length < limit * T(Lane(1) - Lane(16) * std::numeric_limits<Lane>::epsilon()));
-    const Mask<T> limits = response.sliding || !(length <= limit);
+        limited.slides && negate<T>(length < limit * T(Lane(1) - Lane(16) * std::numeric_limits<Lane>::epsilon()));
+    const Mask<T> limits = response.sliding || negate<T>(length <= limit);
     const T divisor = select<T>(length > T(0), length, T(1));
     response.spring = response.spring * select<T>(limits, T(limit / divisor), T(1));
     response.force = response.spring;

@@ -45,14 +45,9 @@ struct SpringRow {
             Vec3<T>(select<T>(first, a.slip.x(), b.slip.x()), select<T>(first, a.slip.y(), b.slip.y()),
                     select<T>(first, a.slip.z(), b.slip.z()))};
   }
-  CONTACTLAWS_HD static T root_of_positive(const T& x) noexcept {  // a square root has no derivative at 0
-    using std::sqrt;
-    const Mask<T> positive = x > T(0);
-    return select<T>(positive, T(sqrt(select<T>(positive, x, T(1)))), T(0));
-  }
   /// x of a spring [1].
   CONTACTLAWS_HD static T place(const Point& of, const T& overlap) noexcept {
-    return root_of_positive(T(T(overlap - of.depth) / overlap));
+    return sqrt_of_positive<T>(T(T(overlap - of.depth) / overlap));
   }
   CONTACTLAWS_HD static Line line(const Point& from, const Point& to, const T& overlap) noexcept {
     const T u = place(from, overlap), w = place(to, overlap), sum = u + w;
@@ -71,13 +66,13 @@ struct SpringRow {
       const Point p = chain.point[i];
       const T length = norm<T>(p.slip), reach = slope * p.depth;
       const Mask<T> inside = sticks && p.depth >= T(0) && length <= reach * tolerance();
-      const Mask<T> leaves = sticks && !inside;
+      const Mask<T> leaves = sticks && negate<T>(inside);
       Point next = p;
       if (any<T>(leaves)) {
         Point leaving;
         if (i == inmost) {
           const T most = slope * overlap;
-          limited.slides = leaves && !(length <= most);  // also where a NaN is
+          limited.slides = leaves && negate<T>(length <= most);  // also where a NaN is
           const T shorter = select<T>(limited.slides, T(most / select<T>(limited.slides, length, T(1))), T(1));
           const T depth = length / select<T>(slope > T(0), slope, T(1));
           leaving = {select<T>(limited.slides, overlap, depth), p.slip * shorter};
@@ -86,7 +81,7 @@ struct SpringRow {
         }
         next = select_point(leaves, leaving, next);
       }
-      if (any<T>(!sticks)) next = select_point(sticks, next, on_cone(inner, slope));
+      if (!all<T>(sticks)) next = select_point(sticks, next, on_cone(inner, slope));
       chain.point[i] = next;
       inner = p;
       limited.slips = limited.slips || leaves;
@@ -100,8 +95,8 @@ struct SpringRow {
     return {depth, p.slip * T(slope * depth / select<T>(length > T(0), length, T(1)))};
   }
   CONTACTLAWS_HD static Point in_cone(const Point& p, const T& slope) noexcept {
-    const Mask<T> outside = !(norm<T>(p.slip) <= slope * p.depth * tolerance());
-    return any<T>(outside) ? select_point(outside, on_cone(p, slope), p) : p;
+    const Mask<T> inside = norm<T>(p.slip) <= slope * p.depth * tolerance();
+    return all<T>(inside) ? p : select_point(inside, p, on_cone(p, slope));
   }
   /// A corner on the cone may lie outside by its roundings: a few to place it, four of m.
   CONTACTLAWS_HD static T tolerance() noexcept { return T(Lane(1) + Lane(16) * std::numeric_limits<Lane>::epsilon()); }
@@ -113,7 +108,7 @@ struct SpringRow {
     const T h = slope * out.depth / unit;  // m h of the two: 1 and h
     // |(1 - t) e + t f| = (1 - t) + t h; the discriminant by Lagrange's identity, in which no digit cancels near the edge.
     const Vec3<T> sheared = f - e * h, turned = e.cross(f);
-    const T root = root_of_positive(T(dot<T>(sheared, sheared) - dot<T>(turned, turned)));
+    const T root = sqrt_of_positive<T>(T(dot<T>(sheared, sheared) - dot<T>(turned, turned)));
     const T inwards = positive_part<T>(T(dot<T>(e, f) - h + root)), outwards = positive_part<T>(T(T(1) - dot<T>(e, e)));
     const T sum = inwards + outwards, divisor = select<T>(sum > T(0), sum, T(1));
     const T stay = inwards / divisor, go = outwards / divisor;
@@ -184,7 +179,7 @@ struct SpringRow {
     // Not by roundings, some ten in each sum: a contact at rest keeps its force.
     const Mask<T> rises = square > before * T(Lane(1) + Lane(16) * std::numeric_limits<Lane>::epsilon());
     if (!any<T>(rises)) return;
-    const T scale = root_of_positive(T(before / select<T>(rises, square, T(1))));
+    const T scale = sqrt_of_positive<T>(T(before / select<T>(rises, square, T(1))));
     for (Point& p : chain.point) p.slip = p.slip * select<T>(rises, scale, T(1));
   }
 };
