@@ -29,6 +29,7 @@ struct BallMotion {
     const T &radius1 = place1[3], &radius2 = place2[3];
     const contactlaws::Vec3<T> centres = body2.velocity - body1.velocity;
     const ContactMotion<T> moved{
+        // made in place: a copy would go through memory
         contactlaws::sphere_sphere<T>(body1.position, radius1, body2.position, radius2),
         contactlaws::at_full_step<T>(contactlaws::contact_kinematics<T>(moved.geometry, body1, body2, T(dt)), centres,
                                      T(radius1 + radius2 - moved.geometry.overlap))};

@@ -148,21 +148,21 @@ struct Specimen {
 
   /// What changes of it, apart from the scene.
   friend void to_json(nlohmann::json& json, const Specimen& specimen) {
-    const Vessel& vessel = specimen.vessel;
-    json = {{"pressure", vessel.pressure},
-            {"moves", {vessel.top_moves, vessel.top_tilts, vessel.side_moves}},
-            {"membrane_radius", vessel.membrane_radius},
+    const Vessel& v = specimen.vessel;
+    json = {{"pressure", v.pressure},
+            {"moves", {v.top_moves, v.top_tilts, v.side_moves}},
+            {"membrane_radius", v.membrane_radius},
             {"clumps", dem::clumps_to_json(specimen.clumps)}};
     if (specimen.membrane) json["membrane"] = dem::scene_to_json(specimen.membrane->scene);
   }
   /// After the scene was restored.
   friend void from_json(const nlohmann::json& json, Specimen& specimen) {
-    Vessel& vessel = specimen.vessel;
-    json.at("pressure").get_to(vessel.pressure);
-    json.at("moves").at(0).get_to(vessel.top_moves);
-    json.at("moves").at(1).get_to(vessel.top_tilts);
-    json.at("moves").at(2).get_to(vessel.side_moves);
-    json.at("membrane_radius").get_to(vessel.membrane_radius);
+    Vessel& v = specimen.vessel;
+    json.at("pressure").get_to(v.pressure);
+    json.at("moves").at(0).get_to(v.top_moves);
+    json.at("moves").at(1).get_to(v.top_tilts);
+    json.at("moves").at(2).get_to(v.side_moves);
+    json.at("membrane_radius").get_to(v.membrane_radius);
     dem::clumps_from_json(json.at("clumps"), specimen.clumps, specimen.scene);
     if (!specimen.membrane) return;
     dem::scene_from_json(json.at("membrane"), specimen.membrane->scene);

@@ -31,19 +31,19 @@ class PlainVec3 {
   using Scalar = T;
 
   PlainVec3() = default;
-  CONTACTLAWS_HD PlainVec3(const T& x, const T& y, const T& z) noexcept : value_{x, y, z} {}
+  CONTACTLAWS_HD PlainVec3(const T& x, const T& y, const T& z) noexcept : value{x, y, z} {}
   template <class V, IfVector<V> = 0>
-  CONTACTLAWS_HD PlainVec3(const V& v) noexcept : value_{v.x(), v.y(), v.z()} {}  // NOLINT: implicit
+  CONTACTLAWS_HD PlainVec3(const V& v) noexcept : value{v.x(), v.y(), v.z()} {}  // NOLINT: implicit
   template <class V, IfVector<V> = 0>
   CONTACTLAWS_HD operator V() const noexcept {  // NOLINT: implicit
     return V(x(), y(), z());
   }
 
-  CONTACTLAWS_HD const T& x() const noexcept { return value_[0]; }
-  CONTACTLAWS_HD const T& y() const noexcept { return value_[1]; }
-  CONTACTLAWS_HD const T& z() const noexcept { return value_[2]; }
-  CONTACTLAWS_HD const T& operator[](std::ptrdiff_t i) const noexcept { return value_[i]; }
-  CONTACTLAWS_HD T& operator[](std::ptrdiff_t i) noexcept { return value_[i]; }
+  CONTACTLAWS_HD const T& x() const noexcept { return value[0]; }
+  CONTACTLAWS_HD const T& y() const noexcept { return value[1]; }
+  CONTACTLAWS_HD const T& z() const noexcept { return value[2]; }
+  CONTACTLAWS_HD const T& operator[](std::ptrdiff_t i) const noexcept { return value[i]; }
+  CONTACTLAWS_HD T& operator[](std::ptrdiff_t i) noexcept { return value[i]; }
 
   CONTACTLAWS_HD PlainVec3 operator-() const noexcept { return {-x(), -y(), -z()}; }
   CONTACTLAWS_HD PlainVec3& operator+=(const PlainVec3& v) noexcept { return *this = *this + v; }
@@ -65,7 +65,7 @@ class PlainVec3 {
   }
 
  private:
-  T value_[3];
+  T value[3];
 };
 
 /// The vector type of a scalar; packs specialise it (scalars/xsimd.hpp).

@@ -68,7 +68,7 @@ struct MindlinDeresiewicz : Mindlin<T>, Coulomb<T> {
     std::array<StateValue, 4 * corners + 1> own{};
     for (int i = 0; i < corners; ++i) {
       const auto& of = names[i < 4 ? i : 4];
-      const auto at = static_cast<std::size_t>(4 * i);
+      const std::size_t at = 4 * static_cast<std::size_t>(i);
       own[at] = {of[0], "m", +1};
       for (std::size_t k = 1; k < 4; ++k) own[at + k] = {of[k], "m", -1, ValueKind::vector};
     }
