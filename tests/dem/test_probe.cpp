@@ -195,6 +195,27 @@ TEST_CASE("the three laws differ on one small sample as on the large one") {
   CHECK(plastic.largest_force < 1776.0);
 }
 
+TEST_CASE("the onset of degradation is where the modulus falls for good, not where a grain lands") {
+  constexpr double modulus_before = 200e6, modulus_after = 150e6, onset_strain = 1e-5;  // moduli in Pa
+  Curve load;
+  double axial = 0.0, last = 0.0;
+  for (int k = 0; k <= 120; ++k) {  // 20 points a decade, as TestPlan has them
+    const double strain = 1e-9 * std::pow(10.0, k / 20.0);
+    axial += (strain <= onset_strain ? modulus_before : modulus_after) * (strain - last);
+    last = strain;
+    Point point{};
+    point.phase_strain = point.strain = strain;
+    const bool lands =
+        k == 55;  // at 5.6e-7: one point of the stress is off by the increment of the whole strain so far
+    point.axial = lands ? 0.0 : axial;
+    load.push_back(point);
+  }
+  // One of the three increments under a tangent need be softer for it to fall below .95, so the onset is seen within one point.
+  CHECK(onset(load) >= onset_strain);
+  CHECK(onset(load) <= onset_strain * std::pow(10.0, 2.0 / 20.0));
+  CHECK(std::isnan(onset({load.begin(), load.begin() + 80})));  // it ends before the onset
+}
+
 TEST_CASE("a test that was stopped goes on with the same bits") {
   TemporaryFolder folder;
   const std::string file = (folder.path / "stopped").string();

@@ -9,7 +9,9 @@
 // there: the state of each case is FOLDER/probe/NAME.json.
 //
 // Exit status: 0 if every number is in its band, 1 if one is not, 2 on a fault, 130 after Ctrl-C.
+#include <algorithm>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "common/output_file.hpp"
@@ -25,7 +27,7 @@ struct Options {
   SampleSize size;
   TestPlan plan;
   bool full = false;
-  int threads = 1;
+  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
 /// The confinement times whose onsets of degradation are compared, beside that of the plan, and the names of their cases [s].
@@ -53,7 +55,7 @@ std::vector<dem::Case> cases_of(const Options& options, const Sample& sample,
   for (const auto& [name, time] : other_confinements(options)) {
     TestPlan plan = options.plan;
     plan.confine_time = time;
-    plan.most_strain = std::min(2e-5, plan.most_strain);
+    plan.most_strain = std::min(5e-5, plan.most_strain);  // beyond the onset
     plan.unloads = false;
     cases.push_back(test_case<ElastoPlastic>(name, plan, 0.3 + 0.5 * time, options, sample, shapes));
   }
@@ -156,7 +158,8 @@ int main(int argc, char** argv) {
   app.add_option("FOLDER", options.folder, "where to write the results (default: build/results)");
   app.add_flag("--full", options.full,
                "the paper's size: some 750 grains in 300 x 450 mm, in a membrane of 12 600 spheres (hours)");
-  app.add_option("--threads", options.threads, "cases side by side (default: 1)")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", options.threads, "cases that run at the same time (default: one per core)")
+      ->check(CLI::Range(1, 1024));
   app.add_option("--seed", options.size.seed, "of the sample (default: 1)")->check(CLI::Range(1, 1000000000));
   app.add_option("--diameter", options.size.diameter,
                  "of the vessel [m]; its height is 1.5 times as large (default: 0.16)")

@@ -43,13 +43,17 @@ inline const Point& at_strain(const Curve& curve, double strain) {
                            [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
 }
 
-/// Strain at which the tangent modulus has fallen to `share` of E_0 [1]; NaN if it has not.
+/// Strain from which on the tangent modulus is below `share` of E_0 [1], for a quarter of a decade at least: a grain that slips or
+/// lands moves the modulus for a few points only. NaN where there is none.
 inline double onset(const Curve& load, double share = 0.95) {
+  constexpr std::size_t points = 5;  // of 20 a decade
   const double limit = share * initial_modulus(load);
+  std::size_t below = 0;
   for (std::size_t i = 3; i < load.size(); ++i) {
     if (load[i].phase_strain < 1e-7) continue;  // before it, noise
     const double tangent = (load[i].axial - load[i - 3].axial) / (load[i].strain - load[i - 3].strain);
-    if (tangent < limit) return load[i].phase_strain;
+    below = tangent < limit ? below + 1 : 0;
+    if (below == points) return load[i + 1 - points].phase_strain;
   }
   return std::nan("");
 }
@@ -80,64 +84,74 @@ inline double virgin_share(const Point& p) { return p.virgin / p.contacts; }
 
 using Tests = std::map<std::string, TestState>;  ///< by the name of the case
 
-/// The numbers of the default run; `full` adds those that need the paper's size.
+/// The least and the largest value that pass.
+struct Band {
+  double low, high;
+};
+
+/// All numbers of a run. `full`: of the paper's size. A sample of 120 grains scatters: it is judged by the mean of twelve samples,
+/// give or take four of their standard deviations (README.md beside this file has them).
 inline common::BandedNumbers banded_numbers(const Tests& tests, const std::vector<std::string>& by_confinement,
                                             bool full) {
   const TestState &hertz = tests.at("hertz"), &elastic = tests.at("elastic"), &plastic = tests.at("elasto_plastic");
   common::BandedNumbers numbers;
   constexpr double inf = std::numeric_limits<double>::infinity();
-  const auto add = [&numbers](const char* id, const char* unit, std::optional<double> published, double low,
-                              double high, double computed) {
-    numbers.push_back({std::string("probe.") + id, unit, published, low, high, computed});
+  constexpr Band not_judged{-inf, inf};
+  const auto add = [&](const char* id, const char* unit, std::optional<double> published, Band in_full, Band in_small,
+                       double computed) {
+    const Band& band = full ? in_full : in_small;
+    numbers.push_back({std::string("probe.") + id, unit, published, band.low, band.high, computed});
   };
+  const auto add_everywhere = [&add](const char* id, const char* unit, std::optional<double> published, Band band,
+                                     double computed) { add(id, unit, published, band, band, computed); };
   const double e0_hertz = initial_modulus(hertz.load), e0_elastic = initial_modulus(elastic.load),
                e0_plastic = initial_modulus(plastic.load);
   const double e4_elastic = degraded_modulus(elastic.load), e4_plastic = degraded_modulus(plastic.load);
-  add("E0_elasto_plastic_over_elastic", "1", 1.42, 1.25, 1.41, e0_plastic / e0_elastic);
-  add("E0_hertz_over_elastic", "1", {}, 1.17, 1.33, e0_hertz / e0_elastic);
-  add("E_at_0.01_percent_elasto_plastic_over_elastic", "1", {}, 0.98, 1.08, e4_plastic / e4_elastic);
-  // Among 120 grains one contact that slides or opens takes up to 7 % of the modulus: seeds 1 to 5 of the default size gave drops
-  // of .064, .000, .036, .115 and .012. The narrow band is for the paper's size.
-  add("elastic_drop_to_0.01_percent", "1", {}, -inf, full ? 0.03 : 0.12, 1.0 - e4_elastic / e0_elastic);
-  add("elasto_plastic_E_at_0.01_percent_over_E0", "1", {}, 0.71, 0.83, e4_plastic / e0_plastic);
-  add("virgin_share_at_start", "1", {}, -inf, 0.02, mean_over(plastic.load, 1e-9, 1e-8, virgin_share));
-  add("virgin_share_at_0.01_percent", "1", {}, 0.5, 0.7, mean_over(plastic.load, 7e-5, 1.42e-4, virgin_share));
-  add("residual_strain_elasto_plastic_over_elastic", "1", {}, 1.5, inf,
+  add("E0_elasto_plastic_over_elastic", "1", 1.42, {1.25, 1.41}, {1.20, 1.53}, e0_plastic / e0_elastic);
+  add("E0_hertz_over_elastic", "1", {}, {1.17, 1.33}, {1.0, 1.55}, e0_hertz / e0_elastic);
+  add("E_at_0.01_percent_elasto_plastic_over_elastic", "1", {}, {0.98, 1.08}, {0.88, 1.18}, e4_plastic / e4_elastic);
+  add("elastic_drop_to_0.01_percent", "1", {}, {-inf, 0.03}, {-inf, 0.18}, 1.0 - e4_elastic / e0_elastic);
+  add("elasto_plastic_E_at_0.01_percent_over_E0", "1", {}, {0.71, 0.83}, {0.51, 0.93}, e4_plastic / e0_plastic);
+  add_everywhere("virgin_share_at_start", "1", {}, {-inf, 0.02}, mean_over(plastic.load, 1e-9, 1e-8, virgin_share));
+  add("virgin_share_at_0.01_percent", "1", {}, {0.5, 0.7}, {0.2, 0.97},
+      mean_over(plastic.load, 7e-5, 1.42e-4, virgin_share));
+  add("residual_strain_elasto_plastic_over_elastic", "1", {}, {1.5, inf}, {1.0, inf},
       plastic.unload.back().strain / elastic.unload.back().strain);
-  add("unloading_modulus_elasto_plastic_over_elastic", "1", {}, 1.22, 1.38,
+  add("unloading_modulus_elasto_plastic_over_elastic", "1", {}, {1.22, 1.38}, {1.09, 1.46},
       unloading_modulus(plastic.unload) / unloading_modulus(elastic.unload));
-  add("coordination_rough_minus_hertz", "1", 0.3, 0.3, inf,
-      elastic.load.front().coordination - hertz.load.front().coordination);
-  add("force_over_largest_of_reloading_contacts", "1", 0.89, 0.90, 0.98,
+  add_everywhere("coordination_rough_minus_hertz", "1", 0.3, {0.3, inf},
+                 elastic.load.front().coordination - hertz.load.front().coordination);
+  add("force_over_largest_of_reloading_contacts", "1", 0.89, {0.90, 0.98}, {0.89, 1.0},
       mean_over(plastic.load, 1e-9, 1e-8, [](const Point& p) { return p.force_over_largest; }));
-  add("direction_of_virgin_contacts", "degrees", {}, 75.0, 90.0,
+  add("direction_of_virgin_contacts", "degrees", {}, {75.0, 90.0}, {50.0, 90.0},
       mean_over(plastic.load, 1e-6, 1e-4, [](const Point& p) { return p.virgin_direction; }));
-  add("direction_of_unloading_contacts", "degrees", {}, 0.0, 10.0,
+  add("direction_of_unloading_contacts", "degrees", {}, {0.0, 10.0}, {0.0, 12.0},
       mean_over(plastic.load, 1e-8, 1e-4, [](const Point& p) { return p.unloading_direction; }));
-  double ordered = 1.0;  // least ratio of the onset of one to that of the next slower confinement
-  for (std::size_t i = 1; i < by_confinement.size(); ++i) {
-    const double ratio = onset(tests.at(by_confinement[i - 1]).load) / onset(tests.at(by_confinement[i]).load);
-    ordered = i == 1 ? ratio : std::min(ordered, ratio);
-  }
-  add("onset_faster_over_slower_confinement", "1", {}, 1.0, inf, ordered);
+  double least_ratio = inf;  // of one onset to that of the next slower confinement
+  for (std::size_t i = 1; i < by_confinement.size(); ++i)
+    least_ratio =
+        std::min(least_ratio, onset(tests.at(by_confinement[i - 1]).load) / onset(tests.at(by_confinement[i]).load));
+  add_everywhere("onset_of_fastest_over_slowest_confinement", "1", {}, {1.0, inf},
+                 onset(tests.at(by_confinement.front()).load) / onset(tests.at(by_confinement.back()).load));
+  add("onset_faster_over_slower_confinement", "1", {}, {1.0, inf}, not_judged, least_ratio);
   double unbalanced = 0.0, identity = 0.0;
   for (const auto& [name, test] : tests) {
     unbalanced = std::max(unbalanced, test.rest_unbalanced);
     identity = std::max(identity, test.identity);
   }
-  add("unbalanced_force_before_probe", "1", {}, -inf, 1e-7, unbalanced);
-  add("stress_identity", "1", {}, -inf, 1e-6, identity);
-  // In the paper's size the absolute moduli are judged too; on a small sample they follow the packing.
-  add("E0_elasto_plastic", "Pa", 128e6, full ? 0.8 * 128e6 : -inf, full ? 1.2 * 128e6 : inf, e0_plastic);
-  add("E0_elastic", "Pa", 90e6, full ? 0.8 * 90e6 : -inf, full ? 1.2 * 90e6 : inf, e0_elastic);
-  add("E0_hertz", "Pa", {}, -inf, inf, e0_hertz);
-  add("coordination_elastic", "1", 5.6, -inf, inf, elastic.load.front().coordination);
-  add("coordination_hertz", "1", 5.3, -inf, inf, hertz.load.front().coordination);
-  add("fabric_elastic", "1", 0.228, -inf, inf, elastic.load.front().fabric);
-  add("fabric_hertz", "1", 0.226, -inf, inf, hertz.load.front().fabric);
-  add("voids_ratio_confined", "1", {}, -inf, inf, elastic.voids_ratio);
-  add("largest_contact_force", "N", {}, -inf, 1776.244,
-      plastic.largest_force);  // the transition force: it is not reached
+  add_everywhere("unbalanced_force_before_probe", "1", {}, {-inf, 1e-7}, unbalanced);
+  add_everywhere("stress_identity", "1", {}, {-inf, 1e-6}, identity);
+  // Absolute moduli follow the packing of a small sample, and are judged in the paper's size alone.
+  add("E0_elasto_plastic", "Pa", 128e6, {0.8 * 128e6, 1.2 * 128e6}, not_judged, e0_plastic);
+  add("E0_elastic", "Pa", 90e6, {0.8 * 90e6, 1.2 * 90e6}, not_judged, e0_elastic);
+  add_everywhere("E0_hertz", "Pa", {}, not_judged, e0_hertz);
+  add_everywhere("coordination_elastic", "1", 5.6, not_judged, elastic.load.front().coordination);
+  add_everywhere("coordination_hertz", "1", 5.3, not_judged, hertz.load.front().coordination);
+  add_everywhere("fabric_elastic", "1", 0.228, not_judged, elastic.load.front().fabric);
+  add_everywhere("fabric_hertz", "1", 0.226, not_judged, hertz.load.front().fabric);
+  add_everywhere("voids_ratio_confined", "1", {}, not_judged, elastic.voids_ratio);
+  // The transition force is not reached.
+  add_everywhere("largest_contact_force", "N", {}, {-inf, 1776.244}, plastic.largest_force);
   return numbers;
 }
 

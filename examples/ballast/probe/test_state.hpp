@@ -21,6 +21,9 @@ struct TestPlan {
   double confine_time = 0.5;   ///< [s]
   double unbalanced = 1e-7;    ///< mean unbalanced force over mean contact force at which rest ends [1]
   double longest_rest = 2.0;   ///< then the probe begins all the same, and says so [s]
+  double damping = 0.7;        ///< local, of the forces on grains, platens and cylinder [1]
+  double fall_damping = 0.1;   ///< the same in rest, for fall_time, and again after a pause as long [1]
+  double fall_time = 0.2;      ///< [s]
   double hold_time = 0.03;     ///< [s]
   double slowest = 1e-8;       ///< speed of the bottom platen [m/s]
   double fastest = 1e-3;       ///< [m/s]
@@ -37,9 +40,10 @@ struct TestPlan {
   std::vector<double> noise_levels;
   double noise_strain = 1e-6;
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TestPlan, pressure, settle_time, confine_time, unbalanced, longest_rest, hold_time,
-                                   slowest, fastest, strain_slow, strain_fast, most_strain, membrane, tilts, unloads,
-                                   points_per_decade, safety, noise_levels, noise_strain)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TestPlan, pressure, settle_time, confine_time, unbalanced, longest_rest, damping,
+                                   fall_damping, fall_time, hold_time, slowest, fastest, strain_slow, strain_fast,
+                                   most_strain, membrane, tilts, unloads, points_per_decade, safety, noise_levels,
+                                   noise_strain)
 
 /// Share of a test that is done, from the time that each phase takes; that of rest is a guess.
 inline double share_done(const TestPlan& plan, Phase phase, double phase_time, double height) {
