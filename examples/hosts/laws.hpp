@@ -43,6 +43,10 @@ inline LinearSpringDashpot<double> make_law(const LinearSpringDashpotProperties<
 template <class Parameters>
 using LawOf = decltype(make_law(Parameters()));
 
+/// Whether a law has a liquid bridge.
+template <class Law>
+inline constexpr bool has_bridge = decltype(Law::bridge)::acts;
+
 /// The spring that a coefficient of restitution is converted for; laws of linear springs read no moduli of the bodies.
 template <class Parameters>
 inline constexpr Spring spring_of = Spring::hertz;

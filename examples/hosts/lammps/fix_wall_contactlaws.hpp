@@ -26,7 +26,7 @@ namespace contactlaws {
 template <class Parameters>
 class FixWallContactLaws : public LAMMPS_NS::Fix {
   using Law = LawOf<Parameters>;
-  static constexpr bool bridges = decltype(Law::bridge)::acts;
+  static constexpr bool bridges = has_bridge<Law>;
   static constexpr bool yields = detail::yields<decltype(Law::normal)>;
   static constexpr int size = int(Law::state_size);
 
