@@ -28,11 +28,14 @@ class PairContactLaws : public PairOfSpheres {
   using Pack = typename PackOf<double>::type;
   static constexpr bool bridges = has_bridge<Law>;
   static constexpr bool yields = detail::yields<decltype(Law::normal)>;
+  static constexpr bool liquid = holds_liquid<Law>;
   static_assert(Law::state_size > 0, "a law without history needs no fix NEIGH_HISTORY");
   static_assert(!Law::outlives_separation, "LAMMPS forgets pairs that have separated");
 
-  struct Heat {
-    double friction, dashpots, yielding;  ///< [J]
+  /// What a step adds to the sums of `compute pair`.
+  struct Gains {
+    double friction, dashpots, yielding;  ///< heat [J]
+    double returned;                      ///< liquid [m^3]
   };
   struct Types : TypePair<Parameters> {
     ContactBlock<Law> block;
@@ -43,9 +46,9 @@ class PairContactLaws : public PairOfSpheres {
   explicit PairContactLaws(LAMMPS_NS::LAMMPS* lammps) : PairOfSpheres(lammps, Law::state_size) {
     single_extra = 6;
     svector = new double[6]();
-    nextra = 3;
-    pvector = new double[3]();
-    beyond_contact = bridges;
+    nextra = liquid ? 5 : 3;
+    pvector = new double[5]();
+    beyond_contact = bridges || Law::adheres;
   }
 
   void settings(int count, char** words) override {
@@ -61,23 +64,20 @@ class PairContactLaws : public PairOfSpheres {
     check_atoms();
     largest_radii_ = largest_radii();
     find_frozen_and_rigid();
+    double range = 0.0;
     for (int i = 1; i <= atom->ntypes; ++i)
       for (int j = i; j <= atom->ntypes; ++j)
-        if (setflag[i][j] != 0) or_fail([&] { types_.prepare(i, j); }, i, j);
-
-    // A list of touching spheres, or one that reaches as far as a bridge does.
-    bool reaches = false;
-    if constexpr (bridges)
-      for (const Types& types : types_) reaches = reaches || types.law.bridge.suction > 0.0;
-    request_list(!reaches);
+        if (setflag[i][j] != 0) {
+          or_fail([&] { types_.prepare(i, j); }, i, j);
+          range = std::max(range, range_of(i, j));
+        }
+    // The list of spheres that touch reaches beyond touch by the skin. Twice the range: smaller spheres may reach a little farther.
+    request_list(2.0 * range <= neighbor->skin);
   }
 
   double init_one(int i, int j) override {
     if (setflag[i][j] == 0) fail("no pair_coeff of types " + std::to_string(i) + " " + std::to_string(j));
-    const Types& types = types_(i, j);
-    const double r1 = largest_radii_[std::size_t(i)], r2 = largest_radii_[std::size_t(j)];
-    if (r1 == 0.0 || r2 == 0.0) return r1 + r2;
-    return r1 + r2 + types.law.interaction_range(sphere_sphere_pair<double>(types.moduli, r1, r2, 1.0));
+    return largest_radii_[std::size_t(i)] + largest_radii_[std::size_t(j)] + range_of(i, j);
   }
 
   void compute(int energy_flag, int virial_flag) override {
@@ -142,6 +142,14 @@ class PairContactLaws : public PairOfSpheres {
     types_.transfer(transfer);
   }
 
+  /// How far contacts of these types reach beyond touch [m]. Between the largest spheres: a bridge of a given volume between smaller ones
+  /// may reach farther, but by less than their radii are smaller.
+  double range_of(int i, int j) const {
+    const double r1 = largest_radii_[std::size_t(i)], r2 = largest_radii_[std::size_t(j)];
+    if (r1 == 0.0 || r2 == 0.0) return 0.0;
+    const Types& types = types_(i, j);
+    return types.law.interaction_range(sphere_sphere_pair<double>(types.moduli, r1, r2, 1.0));
+  }
   PairProperties<double> properties_of(const Types& types, const double* mass, int i, int j) const {
     const Masses masses = masses_of(mass[i], mass[j], i, j);
     return sphere_sphere_pair<double>(types.moduli, atom->radius[i], atom->radius[j],
@@ -154,8 +162,8 @@ class PairContactLaws : public PairOfSpheres {
     const double dt = update->setupflag != 0 ? 0.0 : update->dt;
     const Atoms atoms = this->atoms();
     const int* const type = atom->type;
-    Heat heat{0.0, 0.0, 0.0};
-    yielding_of_closed_ = 0.0;
+    Gains gains{0.0, 0.0, 0.0, 0.0};
+    yielding_of_closed_ = liquid_in_bridges_ = 0.0;
     for (int n = 0; n < list->inum; ++n) {
       const int i = list->ilist[n], neighbours = list->numneigh[i];
       const int* const neighbour = list->firstneigh[i];
@@ -175,22 +183,25 @@ class PairContactLaws : public PairOfSpheres {
           if (types.wet_gap >= 0.0) wet(types, contact, reach - std::sqrt(square));
         if (square >= reach * reach && *contact.touch == 0) continue;
         if constexpr (std::is_same_v<Number, double>) {
-          step(atoms, types, contact, centre, dt, sum, heat);
+          step(atoms, types, contact, centre, dt, sum, gains);
         } else {
           collect(atoms, types, contact, centre);
-          if (types.block.count == types.block.capacity) step_block<Number>(atoms, types, dt, heat);
+          if (types.block.count == types.block.capacity) step_block<Number>(atoms, types, dt, gains);
         }
       }
       if constexpr (std::is_same_v<Number, double>) sum.store(atoms);
     }
     for (Types& types : types_) {
-      if (types.block.count > 0) step_block<Number>(atoms, types, dt, heat);
+      if (types.block.count > 0) step_block<Number>(atoms, types, dt, gains);
       types.wet_gap = -1.0;
     }
-    pvector[0] += heat.friction;
-    pvector[1] += heat.dashpots;
-    yielding_of_opened_ += heat.yielding;
-    if (eflag_either != 0) pvector[2] = yielding_of_opened_ + yielding_of_closed_;
+    pvector[0] += gains.friction;
+    pvector[1] += gains.dashpots;
+    yielding_of_opened_ += gains.yielding;
+    pvector[4] += gains.returned;
+    if (eflag_either == 0) return;
+    pvector[2] = yielding_of_opened_ + yielding_of_closed_;
+    pvector[3] = liquid_in_bridges_;
   }
 
   void wet(const Types& types, const Contact& contact, double overlap) const {
@@ -202,7 +213,7 @@ class PairContactLaws : public PairOfSpheres {
   }
 
   CONTACTLAWS_INLINE void step(const Atoms& atoms, const Types& types, const Contact& contact, const Centre& one,
-                               double dt, Sum& sum, Heat& heat) {
+                               double dt, Sum& sum, Gains& gains) {
     const int j = contact.j;
     const double rj = atoms.radius[j];
     const SphereContact<double> spheres =
@@ -212,10 +223,10 @@ class PairContactLaws : public PairOfSpheres {
         sphere_sphere_pair<double>(types.moduli, one.radius, rj, effective_mass<double>(masses.m1, masses.m2));
     const auto step = types.law.step(properties, spheres.kinematics, Law::load(contact.history));
     if constexpr (yields)
-      if (!step.active) heat.yielding += share_of(contact) * yielding(types, properties, contact);
-    store(contact, step.active, step.state);
+      if (!step.active) gains.yielding += share_of(contact) * yielding(types, properties, contact);
+    store(contact, step.active, step.state, gains);
     const Torques<double> turning = torques<double>(spheres, step.force, step.couple);
-    add(atoms, contact, step.force, turning.on1, turning.on2, step.friction_work, step.dashpot_work, sum, heat);
+    add(atoms, contact, step.force, turning.on1, turning.on2, step.friction_work, step.dashpot_work, sum, gains);
     if (evflag != 0) tally(types, contact, step.force);
   }
 
@@ -240,11 +251,11 @@ class PairContactLaws : public PairOfSpheres {
   }
 
   template <class Number>
-  void step_block(const Atoms& atoms, Types& types, double dt, Heat& total) {
+  void step_block(const Atoms& atoms, Types& types, double dt, Gains& total) {
     ContactBlock<Law>& block = types.block;
     block.template step<Number>(types.law, types.moduli, dt);
     const std::size_t count = block.count;
-    Heat heat = total;
+    Gains gains = total;
     for (std::size_t c = 0; c < count;) {
       const int i = types.contacts[c].i;
       Sum sum(atoms, i);
@@ -253,19 +264,19 @@ class PairContactLaws : public PairOfSpheres {
         const bool active = block.active[c] != 0.0;
         if constexpr (yields)
           if (!active)
-            heat.yielding +=
+            gains.yielding +=
                 share_of(contact) * yielding(types, properties_of(types, atoms.mass, contact.i, contact.j), contact);
-        store(contact, active, block.state_of(c));
+        store(contact, active, block.state_of(c), gains);
         const double on_j[3] = {block.force[0][c], block.force[1][c], block.force[2][c]};
         const double turns_i[3] = {block.torque1[0][c], block.torque1[1][c], block.torque1[2][c]};
         const double turns_j[3] = {block.torque2[0][c], block.torque2[1][c], block.torque2[2][c]};
-        add(atoms, contact, on_j, turns_i, turns_j, block.friction_work[c], block.dashpot_work[c], sum, heat);
+        add(atoms, contact, on_j, turns_i, turns_j, block.friction_work[c], block.dashpot_work[c], sum, gains);
         if (evflag != 0) tally(types, contact, on_j);
       }
       sum.store(atoms);
     }
     block.count = 0;
-    total = heat;
+    total = gains;
   }
 
   /// Heat of yielding since the contact was new, as its stored history has it [J].
@@ -274,7 +285,8 @@ class PairContactLaws : public PairOfSpheres {
   }
 
   /// The history of a contact after its step; LAMMPS forgets that of one which is not active.
-  CONTACTLAWS_INLINE static void store(const Contact& contact, bool active, const typename Law::State& state) {
+  CONTACTLAWS_INLINE void store(const Contact& contact, bool active, typename Law::State state, Gains& gains) const {
+    if constexpr (liquid) gains.returned += share_of(contact) * take_returned(state);
     *contact.touch = active;
     Law::store(state, contact.history);
     if (!active) std::fill_n(contact.history, Law::state_size, 0.0);
@@ -283,7 +295,7 @@ class PairContactLaws : public PairOfSpheres {
   /// Adds a contact's force and torques to those of its atoms, and its heat to the sums.
   template <class Vector>
   CONTACTLAWS_INLINE void add(const Atoms& atoms, const Contact& contact, const Vector& on_j, const Vector& turns_i,
-                              const Vector& turns_j, double friction, double dashpots, Sum& on_i, Heat& heat) {
+                              const Vector& turns_j, double friction, double dashpots, Sum& on_i, Gains& gains) {
     const bool both = atoms.newton != 0 || contact.j < atoms.owned;
     for (int d = 0; d < 3; ++d) on_i.force[d] -= on_j[d];
     for (int d = 0; d < 3; ++d) on_i.torque[d] += turns_i[d];
@@ -293,8 +305,8 @@ class PairContactLaws : public PairOfSpheres {
       for (int d = 0; d < 3; ++d) tj[d] += turns_j[d];
     }
     const double share = both ? 1.0 : 0.5;  // the owner of atom j counts the other half
-    heat.friction += share * friction;
-    heat.dashpots += share * dashpots;
+    gains.friction += share * friction;
+    gains.dashpots += share * dashpots;
   }
 
   /// Adds energy and virial; after the history is stored.
@@ -308,6 +320,7 @@ class PairContactLaws : public PairOfSpheres {
       const PairProperties<double> properties = properties_of(types, masses(), i, j);
       energy = types.law.stored_energy(properties, ri + rj - norm<double>(branch), Law::load(contact.history));
       if constexpr (yields) yielding_of_closed_ += share_of(contact) * yielding(types, properties, contact);
+      if constexpr (liquid) liquid_in_bridges_ += share_of(contact) * Law::load(contact.history).bridge_volume;
     }
     ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, on_j[0], on_j[1], on_j[2], branch[0], branch[1],
                  branch[2]);
@@ -318,6 +331,7 @@ class PairContactLaws : public PairOfSpheres {
   std::vector<double> largest_radii_;  ///< of each type [m]
   // Heat of yielding [J]: of contacts that have opened, and of those that touch, in a step that counts energies.
   double yielding_of_opened_ = 0.0, yielding_of_closed_ = 0.0;
+  double liquid_in_bridges_ = 0.0;  ///< in a step that counts energies [m^3]
 };
 
 }  // namespace contactlaws
