@@ -96,7 +96,8 @@ inline EffectiveModuli<double> given_moduli(const ElasticMaterial<double>& a, co
   return effective_moduli(a, b);
 }
 
-/// Sets a parameter by name; `restitution`, of an impact that nothing pulls at, sets the damping constant. @throws std::invalid_argument listing the names
+/// Sets a parameter by name; `restitution`, of an impact at which nothing pulls, sets the damping constant.
+/// @throws std::invalid_argument listing the names
 template <class Parameters>
 void set_law_parameter(Parameters& parameters, const std::string& name, double value) {
   if (name == "restitution") {
