@@ -192,7 +192,8 @@ class PairContactLaws : public PairOfSpheres {
       if constexpr (std::is_same_v<Number, double>) sum.store(atoms);
     }
     for (Types& types : types_) {
-      if (types.block.count > 0) step_block<Number>(atoms, types, dt, gains);
+      if constexpr (!std::is_same_v<Number, double>)
+        if (types.block.count > 0) step_block<Number>(atoms, types, dt, gains);
       types.wet_gap = -1.0;
     }
     pvector[0] += gains.friction;
