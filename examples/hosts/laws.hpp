@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include "contactlaws/contactlaws.hpp"
 
@@ -14,6 +15,9 @@ namespace contactlaws {
 template <template <class, class...> class Shear>
 using HertzWith = ContactLaw<Hertz<double>, Dashpots<double>, Shear<double>>;
 
+/// Hertz, dashpots and partial slip.
+using PartialSlip = ContactLaw<Hertz<double>, Dashpots<double>, MindlinDeresiewicz<double>>;
+
 /// Calls visit(name, parameters) for each law. Parameters: those of a maker, or a law, which is its own parameters.
 template <class Visit>
 void visit_laws(const Visit& visit) {
@@ -22,7 +26,10 @@ void visit_laws(const Visit& visit) {
   visit("dry_hill/rescaled", HertzWith<ShearForceRescaled>());
   visit("dry_hill/displacement", HertzWith<ShearDisplacement>());
   visit("dry_hill/displacement_rescaled", HertzWith<ShearDisplacementRescaled>());
+  visit("dry_hill/partial_slip", PartialSlip());
   visit("hill", Hill<double>());
+  visit("wet_grains", WetGrainsProperties<double>());
+  visit("cohesive_powder", CohesivePowderProperties<double>());
   visit("rough_ballast", RoughBallastProperties<double>());
   visit("plastic_grains", PlasticGrainsProperties<double>());
   visit("linear_friction", LinearFrictionProperties<double>());
@@ -34,6 +41,8 @@ template <class... Slots>
 ContactLaw<Slots...> make_law(const ContactLaw<Slots...>& law) {
   return checked(law);
 }
+inline WetGrains<double> make_law(const WetGrainsProperties<double>& p) { return wet_grains(p); }
+inline CohesivePowder<double> make_law(const CohesivePowderProperties<double>& p) { return cohesive_powder(p); }
 inline RoughBallast<double> make_law(const RoughBallastProperties<double>& p) { return rough_ballast(p); }
 inline PlasticGrains<double> make_law(const PlasticGrainsProperties<double>& p) { return plastic_grains(p); }
 inline LinearFriction<double> make_law(const LinearFrictionProperties<double>& p) { return linear_friction(p); }
@@ -43,6 +52,22 @@ inline LinearSpringDashpot<double> make_law(const LinearSpringDashpotProperties<
 template <class Parameters>
 using LawOf = decltype(make_law(Parameters()));
 
+/// Whether a law has a liquid bridge; whether its history counts the volume of the liquid.
+template <class Law>
+inline constexpr bool has_bridge = decltype(Law::bridge)::acts;
+template <class Law, class = void>
+inline constexpr bool holds_liquid = false;
+template <class Law>
+inline constexpr bool holds_liquid<Law, std::void_t<decltype(Law::State::returned_volume)>> = true;
+
+/// Takes what ruptured bridges returned, less what new ones took, out of a history [m^3].
+template <class State>
+double take_returned(State& state) {
+  const double volume = state.returned_volume;
+  state.returned_volume = 0.0;
+  return volume;
+}
+
 /// The spring that a coefficient of restitution is converted for; laws of linear springs read no moduli of the bodies.
 template <class Parameters>
 inline constexpr Spring spring_of = Spring::hertz;
@@ -50,6 +75,12 @@ template <>
 inline constexpr Spring spring_of<LinearFrictionProperties<double>> = Spring::linear;
 template <>
 inline constexpr Spring spring_of<LinearSpringDashpotProperties<double>> = Spring::linear;
+
+/// Whether a law's dashpots may pull.
+template <class Damping>
+inline constexpr Tension tension_of = Tension::allowed;
+template <class T, Tension tension, ShearDashpot shear>
+inline constexpr Tension tension_of<Dashpots<T, tension, shear>> = tension;
 
 /// A material of which nothing is given yet.
 inline ElasticMaterial<double> no_material() {
@@ -65,11 +96,13 @@ inline EffectiveModuli<double> given_moduli(const ElasticMaterial<double>& a, co
   return effective_moduli(a, b);
 }
 
-/// Sets a parameter by name; `restitution` sets the damping constant. @throws std::invalid_argument listing the names
+/// Sets a parameter by name; `restitution`, of an impact at which nothing pulls, sets the damping constant.
+/// @throws std::invalid_argument listing the names
 template <class Parameters>
 void set_law_parameter(Parameters& parameters, const std::string& name, double value) {
   if (name == "restitution") {
-    set_parameter(parameters, "damping_constant", damping_constant(value, spring_of<Parameters>, Tension::allowed));
+    set_parameter(parameters, "damping_constant",
+                  damping_constant(value, spring_of<Parameters>, tension_of<decltype(LawOf<Parameters>::damping)>));
   } else {
     set_parameter(parameters, name, value);
   }

@@ -29,8 +29,12 @@ typedef struct contactlaws_body {
  *
  *   smooth_hertz             young [Pa], poisson, young2, poisson2
  *   dry_hill                 as smooth_hertz; friction, and damping_constant or restitution; other shear histories:
- *                            dry_hill/rescaled, dry_hill/displacement, dry_hill/displacement_rescaled
+ *                            dry_hill/rescaled, dry_hill/displacement, dry_hill/displacement_rescaled, dry_hill/partial_slip
  *   hill                     as dry_hill; suction [Pa], decay_length, rupture_gap
+ *   wet_grains               as dry_hill; surface_tension [N/m], contact_angle [rad], bridge_volume [m^3], of a new bridge: it
+ *                            forms at touch. Add the state value returned_volume to your own sum, and set it to 0
+ *   cohesive_powder          as dry_hill; work_of_adhesion [J/m^2], rolling_friction
+ *   plastic_grains           as smooth_hertz; yield_pressure [Pa], friction
  *   rough_ballast            as smooth_hertz; fractal_dimension, roughness [m], friction, stiffness_ratio
  *   linear_friction          modulus [Pa], friction, stiffness_ratio
  *   linear_spring_dashpot    normal_stiffness [N/m], friction, stiffness_ratio, damping_constant or restitution

@@ -11,7 +11,8 @@
 // from where the fix was made, and goes on in a restart.
 //
 // f_ID is the energy of springs and bridges, part of the energy after `fix_modify ID energy yes`; f_ID[1] to f_ID[3] the force
-// on the wall; f_ID[4], f_ID[5] and f_ID[6] the heat of friction, of dashpots and of yielding since the start. After `fix_modify ID
+// on the wall; f_ID[4], f_ID[5] and f_ID[6] the heat of friction, of dashpots and of yielding since the start; f_ID[7] the liquid in
+// bridges of a given volume and f_ID[8] what they returned at rupture, less what they took at touch. After `fix_modify ID
 // virial yes` the pressure counts the way from the wall to the atom's centre times the force on it (xz: the way in x times the force
 // in z, as between atoms). The wall is body 1, the atom body 2.
 #pragma once
@@ -26,8 +27,9 @@ namespace contactlaws {
 template <class Parameters>
 class FixWallContactLaws : public LAMMPS_NS::Fix {
   using Law = LawOf<Parameters>;
-  static constexpr bool bridges = decltype(Law::bridge)::acts;
+  static constexpr bool bridges = has_bridge<Law>;
   static constexpr bool yields = detail::yields<decltype(Law::normal)>;
+  static constexpr bool liquid = holds_liquid<Law>;
   static constexpr int size = int(Law::state_size);
 
  public:
@@ -85,7 +87,7 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
     }
     create_attribute = restart_peratom = scalar_flag = vector_flag = extscalar = extvector = global_freq = 1;
     energy_global_flag = virial_global_flag = virial_peratom_flag = restart_global = 1;
-    size_vector = 6;
+    size_vector = liquid ? 8 : 6;
     first_step_ = update->ntimestep;
     FixWallContactLaws::grow_arrays(atom->nmax);
     for (int i = 0; i < atom->nlocal; ++i) FixWallContactLaws::set_arrays(i);
@@ -114,7 +116,8 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
                        auto state = Law::load(history);
                        if constexpr (bridges)
                          if (wet_gap_ >= 0.0) Law::make_wet(state, contact.kinematics.overlap, wet_gap_);
-                       const auto step = law_.step(pair, contact.kinematics, state);
+                       auto step = law_.step(pair, contact.kinematics, state);
+                       if constexpr (liquid) totals_[7] += take_returned(step.state);
                        Law::store(step.active ? step.state : typename Law::State{}, history);
                        const Torques<double> turning = torques<double>(contact, step.force, step.couple);
                        for (int d = 0; d < 3; ++d) {
@@ -142,6 +145,11 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
       if (k == 5)
         for_each_contact(0.0, [&](int, const SphereContact<double>&, const auto& pair, const double* history) {
           value += yielding(pair, history);
+        });
+    if constexpr (liquid)
+      if (k == 6)
+        for_each_contact(0.0, [&](int, const SphereContact<double>&, const auto&, const double* history) {
+          value += Law::load(history).bridge_volume;
         });
     return over_ranks(value);
   }
@@ -248,6 +256,7 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
           if constexpr (yields)
             if (std::any_of(history, history + size, [](double value) { return value != 0.0; }))
               totals_[5] += yielding(pair, history);
+          if constexpr (liquid) totals_[7] += Law::load(history).bridge_volume;
           std::fill_n(history, size, 0.0);
         }
       }
@@ -263,8 +272,9 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
   LAMMPS_NS::bigint first_step_ = 0;  ///< in which the motion began
   double wet_gap_ = -1.0;
   double** histories_ = nullptr;  ///< of each atom: side by side
-  /// Of this rank: force on the wall, heat of friction, of dashpots, and of yielding at contacts that have opened.
-  std::array<double, 6> totals_{};
+  /// Of this rank: force on the wall; heat of friction, of dashpots, and of yielding at contacts that have opened; the eighth, liquid
+  /// returned.
+  std::array<double, 8> totals_{};
   LAMMPS_NS::Fix* rigid_ = nullptr;
 };
 

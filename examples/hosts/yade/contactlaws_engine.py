@@ -7,7 +7,8 @@
     contactlaws_engine.law = Law("dry_hill", young=29e9, poisson=0.15, friction=0.4)
     O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()]), *contactlaws_engine.engines(), NewtonIntegrator(damping=0)]
 
-YADE finds the contacts; its own law between them has no stiffness. Walls, facets and periodic cells are not covered.
+YADE finds the contacts; its own law between them has no stiffness, and drops a pair at the end of touch: laws that act beyond it are
+refused. Walls, facets and periodic cells are not covered.
 """
 import yade
 from contactlaws import Body
@@ -20,6 +21,8 @@ states = {}  # of the contacts that there are, by the numbers of the two bodies
 
 
 def engines():
+    if law.range(1.0, 1.0) > 0:
+        raise ValueError("contactlaws_engine: this law acts beyond touch, where YADE has dropped the pair")
     nothing = MatchMaker(matches=((0, 0, 0.0),))
     return [InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_FrictPhys(kn=nothing, ks=nothing)],
                             [Law2_ScGeom_FrictPhys_CundallStrack()]),

@@ -155,6 +155,42 @@ class Forces(Check):
         self.assertEqual(dict(zip(law.state_names, state))["moisture"], 1)  # ruptured
         self.assert_refused(lambda: Law("dry_hill", **GRANITE).make_wet(0.0, 0.0, state), "no liquid bridge")
 
+    def test_adhesion(self):
+        """F(0) = -8/9 F_c, F_c = 3/2 pi w R*; the contact ends at a gap of 3 h^2/R*; the couple of the rolling spring."""
+        work, mu = 1.0, 0.1
+        law = Law("cohesive_powder", work_of_adhesion=work, rolling_friction=mu, friction=0.4, young=1e7, poisson=0.15)
+        e_star = 1e7 / 2 / (1 - 0.15**2)
+        h = (math.pi * work * RADIUS**2 / 8 / e_star) ** (1 / 3)
+        gap = 3 * h**2 / RADIUS
+        self.assert_close(law.range(R1, R2), gap, 1e-12)
+        state = law.new_state()
+        at = lambda o: law.step(1e-6, Body(radius=R1), Body(x=(0, 0, R1 + R2 - o), radius=R2), state)[0][2]
+        self.assertEqual(at(-0.5 * gap), 0)
+        at(gap)
+        self.assert_close(at(0.0), -8 / 9 * 1.5 * math.pi * work * RADIUS, 1e-8)
+        self.assertLess(at(-0.999 * gap), 0)
+        self.assertEqual(at(-1.001 * gap), 0)
+        self.assertEqual(at(-0.5 * gap), 0)
+        state = law.new_state()  # at touch a^3 = 16 h^3
+        at(1e-9 * RADIUS)
+        _, torque1, torque2 = law.step(1e-6, Body(radius=R1), Body(x=(0, 0, R1 + R2), w=(0, 100, 0), radius=R2), state)
+        couple = 9 / 4 * 2 * e_star * 16 ** (1 / 3) * h * (mu * RADIUS) ** 2 * 1e-4
+        shear = [t1 - R1 / R2 * t2 for t1, t2 in zip(torque1, torque2)][1]  # without the torques of the shear force
+        self.assert_close(shear, couple * (1 + R1 / R2), 1e-8)
+
+    def test_liquid(self):
+        """What a bridge holds and what it returned are what it was given; it ends at the exact rupture gap."""
+        radius, volume = 2 * RADIUS, 0.001 * (2 * RADIUS) ** 3
+        law = Law("wet_grains", surface_tension=0.07, bridge_volume=volume, **GRANITE)
+        rupture = 0.100780963518 * radius
+        self.assert_close(law.range(R1, R2), rupture, 1e-5)
+        state = law.new_state()
+        for gap, held, pull in ((0.5 * rupture, 0, 0), (0.0, 1, 5.88200205809), (0.1 * rupture, 1, 3.86738052895), (1.001 * rupture, 0, 0)):
+            force, _, _ = law.step(1e-6, Body(radius=R1), Body(x=(0, 0, R1 + R2 + gap), radius=R2), state)
+            self.assertLessEqual(abs(force[2] + pull * 0.07 * radius), 1e-3 * 5.88200205809 * 0.07 * radius)
+            of = dict(zip(law.state_names, state))
+            self.assertEqual((of["bridge_volume"], of["returned_volume"]), (held * volume, -held * volume))
+
     def test_rough_ballast(self):
         """F = k_n d^(3/2), below the transition d = o/p (o/o_c)^(p-1); then Hertz from there (Tolomeo & McDowell 2022)."""
         dimension, roughness, o = 2.13, 26.1e-6, 20e-6

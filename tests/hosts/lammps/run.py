@@ -6,6 +6,7 @@ Expected values are closed forms, or come from LAMMPS's own pair styles in the s
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -133,14 +134,28 @@ def test_four_histories():
         check(f"{law}: slip", shear_force(slid), 0.4 * hertz(1e-4), 1e-7)
 
 
+def test_partial_slip():
+    """99 um of shear at an overlap of 0.1 mm: Mindlin & Deresiewicz's curve; then as one contact at a time."""
+    law, friction = "contactlaws/dry_hill/partial_slip", 1.5
+    all_slips = friction * e_star / (4 * g_star) * 1e-4
+    coeff = f"{glass} friction {friction}"
+    packs, scalar = (run("path.lmp", style=f"{law} {how}", coeff=coeff) for how in ("packs", "scalar"))
+    row = packs[1][-1]
+    check("partial slip", shear_force(row), friction * hertz(1e-4) * (1 - (1 - 99e-6 / all_slips)**1.5), 1e-7)
+    expect("partial slip: packs as one by one", all(close(a, b, 1e-10, ("fx", "fz")) for a, b in zip(packs, scalar)))
+
+
 def test_ranks():
     """A contact that is split between two ranks and changes its owner: as on one rank, to the last digit."""
     for law, more, wet in (("dry_hill", "friction 0.4 damping_constant 0.1", "no"),
                            ("dry_hill/rescaled", "friction 0.4", "no"), ("hill", "friction 0.4 suction 1e6", "yes"),
-                           ("rough_ballast", "friction 0.4 fractal_dimension 2.2 roughness 1e-6", "no")):
+                           ("rough_ballast", "friction 0.4 fractal_dimension 2.2 roughness 1e-6", "no"),
+                           ("dry_hill/partial_slip", "friction 0.4", "no"),
+                           ("cohesive_powder", "friction 0.4 rolling_friction 0.1 work_of_adhesion 1", "no"),
+                           ("wet_grains", "friction 0.4 surface_tension 0.07 bridge_volume 1e-10", "no")):
         for newton in ("on", "off"):
             one, two = (run("split.lmp", ranks=ranks, px=ranks, newton=newton, wet=wet, style=f"contactlaws/{law}",
-                            coeff=f"{glass} {more}") for ranks in (1, 2))
+                            coeff=f"{glass} {more}", spin="5 40 30") for ranks in (1, 2))
             keys = [k for k in one[0][0] if k not in ("PotEng", "Pxx", "Pyy", "Pzz", "Pxz")]
             expect(f"{law} newton {newton}: two ranks as one", close(one[1], two[1], 0.0, keys))
             expect(f"{law} newton {newton}: energy and pressure", close(one[1], two[1], 1e-12, ["PotEng", "Pxx", "Pyy", "Pzz"]))
@@ -179,10 +194,162 @@ def test_bridge():
     expect("LAMMPS's negated transfer must fail this test", not bridge_is_right(two, 1e6))
 
 
+adhesive = dict(work=1.0, young=1e7)
+
+
+def jkr(overlap, radius, hertzian=False):
+    """Contact radius, force and energy of the branch that holds (Johnson, Kendall & Roberts 1971)."""
+    w, modulus = 0.0 if hertzian else adhesive["work"], adhesive["young"] / 2 / (1 - poisson**2)
+    low, high = jkr_pull_off_radius(radius) * (not hertzian), radius
+    for _ in range(200):
+        a = (low + high) / 2
+        low, high = (a, high) if a * a / radius - math.sqrt(2 * math.pi * w * a / modulus) < overlap else (low, a)
+    q, flat = math.sqrt(2 * math.pi * w * a / modulus), a * a / radius
+    force = 4 * modulus * a**3 / (3 * radius) - math.sqrt(8 * math.pi * w * modulus * a**3)
+    return a, force, modulus * a * (8 / 15 * flat**2 - 4 / 3 * flat * q + q * q / 2)
+
+
+def jkr_pull_off_radius(radius):
+    return (math.pi * adhesive["work"] * radius**2 * (1 - poisson**2) / (4 * adhesive["young"]))**(1 / 3)
+
+
+def jkr_gap(radius):
+    return 3 * jkr_pull_off_radius(radius)**2 / radius
+
+
+def adhesion_is_right(tables, step):
+    """No force before touch; JKR's until the pull-off gap; none after it until they touch again."""
+    size = 1.5 * math.pi * adhesive["work"] * effective_radius
+    holds, pulls, seen = False, [], 0
+    for row in [row for table in tables for row in table]:
+        overlap = r1 + r2 - distance(row)
+        if min(abs(overlap), abs(overlap + jkr_gap(effective_radius))) < step / 2:
+            continue  # the very step in which it touches or breaks
+        holds = overlap > 0 or holds and overlap > -jkr_gap(effective_radius)
+        _, force, energy = jkr(overlap, effective_radius) if holds else (0, 0, 0)
+        if abs(normal_force(row) - force) > 1e-5 * size or abs(row["PotEng"] - energy) > 1e-5 * size * 1e-5:
+            return False
+        if (row["fx"], row["fy"], row["fz"]) != (-row["f1x"], -row["f1y"], -row["f1z"]):
+            return False
+        pulls.append(-normal_force(row))
+        seen += holds and overlap < 0
+    return abs(max(pulls) - size) < 1e-5 * size and seen > 900
+
+
+powder = f"young {adhesive['young']:g} poisson {poisson} work_of_adhesion {adhesive['work']:g}"
+around_range = ((1, "on", 1e-3), (2, "on", 1e-3), (2, "off", 1e-3), (1, "on", 1e-6), (2, "off", 1e-6))
+
+
+def test_adhesion():
+    """Cohesive powder, from a gap to touch, to pull-off, and to touch again, with a skin below and above the range of adhesion."""
+    step = jkr_gap(effective_radius) / 1000
+    for how in ("scalar", "packs"):
+        first = None
+        for ranks, newton, skin in around_range if how == "packs" else around_range[:1]:
+            file = f"{scratch.name}/stretched"
+            tables = run("pull.lmp", style=f"contactlaws/cohesive_powder {how}", coeff=f"{powder} friction 0.4", ranks=ranks,
+                         px=ranks, newton=newton, skin=skin, step=step, keep="yes", file=file)
+            name = f"adhesion {how}, {ranks} ranks, newton {newton}, skin {skin}"
+            expect(name, adhesion_is_right(tables, step))
+            first = first or tables
+            expect(f"{name}: as on one rank", all(close(a, b, 0.0, ("dx", "fx", "f1x")) for a, b in zip(first, tables)))
+            again = run("restarted.lmp", ranks=3 - ranks, px=3 - ranks, file=file, last=1700)[0][0]
+            expect(f"{name}: restart of a stretched contact", close([tables[1][-1]], [again], 1e-9, ("dx", "fx")) and again["fx"] < -0.01)
+    wrong = dict(program=negated, style="contactlaws/cohesive_powder/negated", coeff=f"{powder} friction 0.4", step=step)
+    expect("negated transfer of adhesion: right on one rank", adhesion_is_right(run("pull.lmp", **wrong), step))
+    expect("LAMMPS's negated transfer must fail the test of adhesion",
+           not adhesion_is_right(run("pull.lmp", ranks=2, px=2, newton="off", **wrong), step))
+
+
+def test_rolling():
+    """The couple of a rolling spring on both spheres: stiffness and limit, with adhesion and without."""
+    mu = 0.1
+    for work in (0.0, adhesive["work"]):
+        for how in ("scalar", "packs"):
+            tables = run("roll.lmp", style=f"contactlaws/cohesive_powder {how}",
+                         coeff=f"{powder} rolling_friction {mu} work_of_adhesion {work}")
+            overlap = r1 + r2 - distance(tables[1][-1])
+            a, force, energy = jkr(overlap, effective_radius, hertzian=work == 0.0)
+            stiffness = 9 / 4 * 2 * adhesive["young"] / 2 / (1 - poisson**2) * a * (mu * effective_radius)**2
+            elastic = stiffness * 500 * 100e-6
+            limit = mu * effective_radius * (force + 3 * math.pi * work * effective_radius)
+            name = f"rolling {how}, work of adhesion {work}"
+            expect(f"{name}: the test reaches the limit", elastic < 0.9 * limit < 4 * elastic)
+            for part, couple in ((1, elastic), (2, limit)):
+                row = tables[part][-1]
+                for key, want in (("t2x", -0.6 * couple), ("t2y", -0.8 * couple), ("t1x", 0.6 * couple), ("t1y", 0.8 * couple)):
+                    check(f"{name}, part {part}: {key}", row[key], want, 1e-9)
+                expect(f"{name}, part {part}: twisting is free", row["t1z"] == row["t2z"] == 0.0)
+                check(f"{name}, part {part}: energy", row["PotEng"], energy + couple**2 / (2 * stiffness), 1e-9)
+
+
+# Bridges of V/R^3 = 0.001 and a contact angle of 20 degrees, R = 2 R*, from the exact solution.
+contact_angle, tension = 0.349065850399, 0.07
+exact_bridges = [row for row in (list(map(float, numbers.split(","))) for numbers in re.findall(
+    r"^    \{([^}]*)\},", (here.parents[1] / "reference" / "capillary_bridge.hpp").read_text(), re.M))
+    if len(row) == 6 and row[0] == contact_angle and row[1] == 0.001]
+rupture = exact_bridges[0][5]
+
+
+def bridge_liquid(radius):
+    return 0.001 * (2 * radius)**3
+
+
+def bridge_is_exact(path, radius):
+    """Whether pulls and energies of (gap, pull, energy) are the exact ones, to 0.1 and 0.2 % of the largest. The gaps of the exact
+    ones are thousandths of the rupture gap, as those of the path."""
+    exact = {round(1000 * gap / rupture): (force * tension * 2 * radius, energy * tension * (2 * radius)**2)
+             for _, _, gap, force, energy, _ in exact_bridges}
+    found = {round(gap * 1000 / (rupture * 2 * radius)): (pull, energy) for gap, pull, energy in path}
+    common = sorted(set(exact) & set(found) & set(range(1000)))
+    return len(common) > 4 and all(abs(a - b) < tolerance * abs(largest) for k in common for a, b, largest, tolerance in
+                                   zip(found[k], exact[k], exact[0], (1e-3, 2e-3)))
+
+
+def test_liquid():
+    """Wet grains, from a gap to touch, to rupture, and to touch again: the exact bridge, and no liquid lost or made."""
+    volume, step = bridge_liquid(effective_radius), rupture * 2 * effective_radius / 1000
+    coeff = f"{glass} friction 0.4 surface_tension {tension} contact_angle {contact_angle} bridge_volume {volume}"
+    for how in ("scalar", "packs"):
+        first = None
+        for wet in ("no", "yes"):
+            ways = ((1, "on", 2e-3), (2, "on", 2e-3), (2, "off", 2e-3), (1, "on", 1e-5), (2, "off", 1e-5))
+            for ranks, newton, skin in ways if how == "packs" and wet == "no" else ways[2:3]:
+                name = f"wet grains {how}, wet {wet}, {ranks} ranks, newton {newton}, skin {skin}"
+                file = f"{scratch.name}/stretched"
+                tables = run("pull.lmp", style=f"contactlaws/wet_grains {how}", coeff=coeff, ranks=ranks, px=ranks, newton=newton,
+                             skin=skin, step=step, liquid="yes", wet=wet, keep="yes", file=file)
+                gaps = [[distance(row) - r1 - r2 for row in table] for table in tables]
+                pulls = [[-normal_force(row) for row in table] for table in tables]
+                away = [(gap, pull, row) for table in zip(gaps[1:3], pulls[1:3], tables[1:3]) for gap, pull, row in zip(*table)]
+                expect(f"{name}: exact force", bridge_is_exact(
+                    [(gap, pull, row["PotEng"]) for gap, pull, row in away if gap > -step / 2], effective_radius))
+                broken = [gap for gap, pull, _ in away if pull == 0.0 and gap > step / 2]
+                expect(f"{name}: rupture at {min(broken) / step} steps", 999.5 < min(broken) / step < 1001.5)
+                expect(f"{name}: no pull before touch, nor after rupture until touch", all(
+                    pull == 0.0 for part in (0, 3) for gap, pull in zip(gaps[part], pulls[part])
+                    if gap > step / 2 and (part or wet == "no")))
+                expect(f"{name}: bridge while touching", all(
+                    abs(pull + hertz(-gap) - exact_bridges[0][3] * tension * 2 * effective_radius) 
+                    < 1e-10 * hertz(-gap) + 1e-3 * exact_bridges[0][3] * tension * 2 * effective_radius
+                    for part in (0, 1, 3) for gap, pull in zip(gaps[part], pulls[part]) if gap < -step / 2))
+                poured = 0.0 if wet == "no" else volume
+                for table, where in zip(tables, ("in it", "in it", "none", "in it")):
+                    last = table[-1]
+                    check(f"{name}: liquid in the bridge + V", volume + last["liquid[4]"], volume * (2 if where == "in it" else 1), 1e-12)
+                expect(f"{name}: liquid", all(abs(row["liquid[4]"] + row["liquid[5]"] - poured) < 1e-12 * volume
+                                              for table in tables for row in table))
+                if wet == "no":
+                    first = first or tables
+                    expect(f"{name}: as on one rank", all(close(a, b, 0.0, ("dx", "fx", "f1x")) for a, b in zip(first, tables)))
+                    again = run("restarted.lmp", ranks=3 - ranks, px=3 - ranks, file=file, last=1700)[0][0]
+                    expect(f"{name}: restart of a bridge", close([tables[1][-1]], [again], 1e-9, ("dx", "fx")) and again["fx"] < -1e-4)
+
+
 def test_impacts():
     """Restitution, momenta, and heat."""
     for e in (1.0, 0.6):
-        for law in ("dry_hill", "hill"):
+        for law in ("dry_hill", "hill", "wet_grains"):  # the dashpots of the last do not pull
             after = run("impact.lmp", style=f"contactlaws/{law}", coeff=f"{glass} restitution {e}", steps=30000, ours="yes",
                         dt=5e-9)[0][-1]
             check(f"{law}: restitution", after["v2z"] - after["v1z"], 0.3 * e, 2e-5)
@@ -245,12 +412,14 @@ def test_still():
 def test_restart():
     """From a restart file at any step, on one rank and two, the run goes on as if it had not stopped."""
     keys = ("dx", "dy", "dz", "fx", "fy", "fz")
-    for law, more in (("hill", "suction 1e5"), ("hill scalar", "suction 1e5")):
+    for law, more, wet in (("hill", "suction 1e5", "yes"), ("hill scalar", "suction 1e5", "yes"),
+                           ("dry_hill/partial_slip", "", "no"), ("cohesive_powder", "rolling_friction 0.1 work_of_adhesion 1", "no"),
+                           ("wet_grains", "surface_tension 0.07 bridge_volume 1e-9", "yes")):
         for ranks in (1, 2):
             file = f"{scratch.name}/restart"
             # Soft spheres, so that they touch and stick all the time.
             style = dict(style=f"contactlaws/{law}", coeff=f"young 29e6 poisson 0.15 friction 10 {more}")
-            rows = {row["Step"]: row for table in run("restart.lmp", ranks=ranks, px=ranks, file=file, **style) for row in table}
+            rows = {row["Step"]: row for table in run("restart.lmp", ranks=ranks, px=ranks, file=file, wet=wet, **style) for row in table}
             expect(f"restart of {law}: shears", min(row["dz"] for row in rows.values()) < r1 + r2 - 1e-4 and
                    max(abs(row["fy"]) for row in rows.values()) > 1e-3)
             for step in (200, 300, 301):
@@ -419,6 +588,38 @@ def test_walls():
         expect(f"wall: restart on {ranks} ranks", close(one[1], again, 1e-9, ("x", "fx", "fz")))
 
 
+def test_walls_that_pull():
+    """Cohesive powder and wet grains on a wall, from touch to where it breaks; the rolling couple; the liquid."""
+    r = 0.005
+    moved = dict(motion="moved", vx=0, dt=1e-6, every=50, steps=400, back=1600)
+    step = jkr_gap(r) / 1000
+    for row in [row for table in run("wall.lmp", wall=f"wall/contactlaws/cohesive_powder zplane 0 NULL {powder}", vz=-step / 1e-6,
+                                     **moved) for row in table if abs(row["z"] - r) > step / 2]:
+        gap = row["z"] - r
+        _, force, energy = jkr(-gap, r) if gap < 999 * step else (0, 0, 0)
+        size = 1.5 * math.pi * adhesive["work"] * r
+        if abs(gap - 1000 * step) > step / 2:
+            check(f"adhesion to a wall at {gap / step:g} steps: force + F_c", row["fz"] + size, force + size, 1e-5)
+            check(f"adhesion to a wall at {gap / step:g} steps: energy + F_c", row["wall"] + size, energy + size, 1e-9)
+    rolled = run("wall.lmp", wall=f"wall/contactlaws/cohesive_powder zplane 0 NULL {powder} rolling_friction 0.1", z=0.0049, vz=0, spin=300,
+                 motion="moved", vx=0, dt=1e-6, steps=100)[0][-1]
+    stiffness = 9 / 4 * 2 * adhesive["young"] / 2 / (1 - poisson**2) * jkr(1e-4, r)[0] * (0.1 * r)**2
+    check("rolling on a wall", rolled["ty"], -stiffness * 300 * 1e-4, 1e-9)
+
+    volume, step = bridge_liquid(r), rupture * 2 * r / 1000
+    wet = f"surface_tension {tension} contact_angle {contact_angle} bridge_volume {volume}"
+    for more, poured in (("", 0), ("wet 0", volume)):
+        tables = run("wall.lmp", wall=f"wall/contactlaws/wet_grains zplane 0 NULL {glass} {wet} {more}", vz=-step / 1e-6,
+                     **dict(moved, every=10))
+        away = [(row["z"] - r, -row["fz"], row["wall"]) for row in tables[1]]
+        expect(f"wet wall {more}: exact force", bridge_is_exact([a for a in away if a[0] > -step / 2], r))
+        expect(f"wet wall {more}: rupture", all((pull > 0) == (gap < 999 * step) for gap, pull, _ in away
+                                                if gap > step / 2 and abs(gap - 1000 * step) > step / 2))
+        for where, last in (("in the bridge", tables[0][-1]), ("returned", tables[1][-1])):
+            check(f"wet wall {more}: liquid {where}", volume + last["wall[7]"], volume * (2 if where == "in the bridge" else 1), 1e-12)
+            check(f"wet wall {more}: sum of liquid", volume + last["wall[7]"] + last["wall[8]"], volume + poured, 1e-12)
+
+
 def test_moving_walls():
     """Displacement and speed of a wall: closed forms, and wall/gran with the same law; the wall's part in the virial."""
     r = 0.005
@@ -494,6 +695,15 @@ def test_pour():
         expect(f"pour {key}: heat", poured[-1]["heat[1]"] > 0 and poured[-1]["heat[2]"] > 0)
         expect(f"pour {key}: they come to rest", poured[-1]["ke"] < 0.05 * max(row["ke"] for row in poured))
         expect(f"pour {key}: bridges hold them", wet[-1]["PotEng"] < -1e-3 and wet[-1]["ke"] < poured[-1]["ke"])
+    # Bridges of a given volume form and rupture, some from rank to rank; `wet` fills those of the last part. 1 mm^3 each.
+    coeff = "young 1e8 poisson 0.2 friction 0.5 restitution 0.5 surface_tension 0.07 bridge_volume 1e-9"
+    poured, wet = run("pour.lmp", style="contactlaws/wet_grains", coeff=coeff, ranks=2, steps=20000)
+    bridges = [row["heat[4]"] / 1e-9 for row in poured]
+    expect("pour of wet grains: whole bridges, some of which rupture", max(bridges) > 100 and any(
+        b < a for a, b in zip(bridges, bridges[1:])) and all(abs(b - round(b)) < 1e-9 for b in bridges))
+    expect("pour of wet grains: no liquid is made", all(abs(row["heat[4]"] + row["heat[5]"]) < 1e-9 * 1e-9 for row in poured))
+    sums = [round((row["heat[4]"] + row["heat[5]"]) / 1e-9, 6) for row in wet[1:]]
+    expect(f"pour of wet grains: wet pours once, whole bridges, {sums}", sums[0] >= 1 and sums[0] == int(sums[0]) and len(set(sums)) == 1)
 
 
 def test_readme():

@@ -97,6 +97,18 @@ class Check(unittest.TestCase):
             self.assert_close(normal, NORMAL, 1e-9)
             self.assert_close(sheared, shear, 5e-9)
 
+    def test_laws_beyond_touch_are_refused(self):
+        script = Path(WORK.name) / "refused.py"
+        script.write_text(f"""
+import sys
+sys.path[:0] = {[str(HOSTS / "yade"), str(HOSTS / "c")]!r}
+import contactlaws_engine
+from contactlaws import Law
+contactlaws_engine.law = Law("cohesive_powder", young=1e9, poisson=0.2, work_of_adhesion=0.1)
+contactlaws_engine.engines()
+""")
+        self.assertIn("acts beyond touch", yade(script))
+
     def test_head_on_impact(self):
         """Velocities of two masses in the ratio of R^3, elastic. Leapfrog's error is of the second order in dt: 1e-8 at 1e-3 of the
         duration of the contact, 40 us."""
