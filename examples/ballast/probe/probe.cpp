@@ -175,6 +175,8 @@ int main(int argc, char** argv) {
       options.size.diameter = 0.3;
       options.plan.membrane = options.plan.tilts = true;
     }
+    // Under .1 the grains at the membrane gain energy in rest, until one is lost after .1 s.
+    if (options.plan.membrane) options.plan.fall_damping = options.plan.damping;
     options.size.height = 1.5 * options.size.diameter;
     return probe::run(options);
   });
