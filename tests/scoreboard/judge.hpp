@@ -32,36 +32,40 @@ Exact ulp_at(const Exact& exact) {
   return ldexp(Exact(1), exponent - std::numeric_limits<T>::digits);
 }
 
+/// Of what a kernel returns, whether it is a vector: Vec3<T> does not deduce T.
+template <class Result, class = void>
+inline constexpr bool is_vector = false;
+template <class Result>
+inline constexpr bool is_vector<Result, std::void_t<decltype(std::declval<const Result&>().x())>> = true;
+
 /// |computed - exact| in ULP of T; of vectors, over their length, in eps.
 template <class T, class Computed, class Exact>
 double distance(const Computed& computed, const Exact& exact) {
-  using std::abs;
-  return static_cast<double>(Exact(abs(Exact(Exact(computed) - exact)) / ulp_at<T, Exact>(exact)));
-}
-template <class T, class Computed, class Exact>
-double distance(const Vec3<Computed>& computed, const Vec3<Exact>& exact) {
-  const Vec3<Exact> off(Exact(computed.x()) - exact.x(), Exact(computed.y()) - exact.y(),
-                        Exact(computed.z()) - exact.z());
-  return static_cast<double>(Exact(norm<Exact>(off) / norm<Exact>(exact))) /
-         static_cast<double>(std::numeric_limits<T>::epsilon());
-}
-
-template <class T>
-constexpr const char* unit_of(const T&) {
-  return "ULP";
-}
-template <class T>
-constexpr const char* unit_of(const Vec3<T>&) {
-  return "eps of the length";
+  if constexpr (is_vector<Exact>) {
+    using Scalar = std::decay_t<decltype(exact.x())>;
+    const Vec3<Scalar> off(Scalar(computed.x()) - exact.x(), Scalar(computed.y()) - exact.y(),
+                           Scalar(computed.z()) - exact.z());
+    return static_cast<double>(Scalar(norm<Scalar>(off) / norm<Scalar>(exact))) /
+           static_cast<double>(std::numeric_limits<T>::epsilon());
+  } else {
+    using std::abs;
+    return static_cast<double>(Exact(abs(Exact(Exact(computed) - exact)) / ulp_at<T, Exact>(exact)));
+  }
 }
 
-template <class T>
-bool fits(const Sieve& exact) {
-  return std::abs(exact) <= Sieve(std::numeric_limits<T>::max());
+template <class Result>
+constexpr const char* unit_of(const Result&) {
+  return is_vector<Result> ? "eps of the length" : "ULP";
 }
-template <class T>
-bool fits(const Vec3<Sieve>& exact) {
-  return fits<T>(norm<Sieve>(exact));
+
+template <class T, class Result>
+bool fits(const Result& exact) {
+  const Sieve most = std::numeric_limits<T>::max();
+  if constexpr (is_vector<Result>) {
+    return norm<Sieve>(exact) <= most;
+  } else {
+    return std::abs(exact) <= most;
+  }
 }
 
 template <class S, class T, std::size_t N>
