@@ -175,8 +175,6 @@ int main(int argc, char** argv) {
       options.size.diameter = 0.3;
       options.plan.membrane = options.plan.tilts = true;
     }
-    // A specimen in a membrane loses a grain in rest under either damping; the cause is open (README.md).
-    if (options.plan.membrane) options.plan.fall_damping = options.plan.damping;
     options.size.height = 1.5 * options.size.diameter;
     return probe::run(options);
   });

@@ -128,9 +128,10 @@ inline common::BandedNumbers banded_numbers(const Tests& tests, const std::vecto
   add("direction_of_unloading_contacts", "degrees", {}, {0.0, 10.0}, {0.0, 12.0},
       mean_over(plastic.load, 1e-8, 1e-4, [](const Point& p) { return p.unloading_direction; }));
   double least_ratio = inf;  // of one onset to that of the next slower confinement
-  for (std::size_t i = 1; i < by_confinement.size(); ++i)
-    least_ratio =
-        std::min(least_ratio, onset(tests.at(by_confinement[i - 1]).load) / onset(tests.at(by_confinement[i]).load));
+  for (std::size_t i = 1; i < by_confinement.size(); ++i) {
+    const double ratio = onset(tests.at(by_confinement[i - 1]).load) / onset(tests.at(by_confinement[i]).load);
+    if (std::isnan(ratio) || ratio < least_ratio) least_ratio = ratio;  // an onset that is missing fails
+  }
   add_everywhere("onset_of_fastest_over_slowest_confinement", "1", {}, {1.0, inf},
                  onset(tests.at(by_confinement.front()).load) / onset(tests.at(by_confinement.back()).load));
   add("onset_faster_over_slower_confinement", "1", {}, {1.0, inf}, not_judged, least_ratio);
