@@ -179,7 +179,9 @@ class Forces(Check):
         self.assert_close(shear, couple * (1 + R1 / R2), 1e-8)
 
     def test_liquid(self):
-        """What a bridge holds and what it returned are what it was given; it ends at the exact rupture gap."""
+        """What a bridge holds and what it returned are what it was given; it ends at the exact rupture gap. Pulls and rupture gap at
+        V/R^3 = 0.001, angle 0: from the solution of the Young-Laplace equation in tests/reference/capillary_bridge.hpp. The law's
+        table is fitted to 1e-3 of the largest pull."""
         radius, volume = 2 * RADIUS, 0.001 * (2 * RADIUS) ** 3
         law = Law("wet_grains", surface_tension=0.07, bridge_volume=volume, **GRANITE)
         rupture = 0.100780963518 * radius
