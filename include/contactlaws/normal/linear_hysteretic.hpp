@@ -18,7 +18,7 @@
 //   v >  v_p   1 - e^2 = (1 - e^2(v_p)) (v_p/v)^2                       where e^2 is negative the contact sticks
 //
 // Domain: any overlap; k_2 below k_1 counts as k_1. History: o_m. Error: 4 ULP of the larger of k_1 o_m and |F|
-// (tests/laws/test_linear_hysteretic.cpp).
+// (tests/laws/test_linear_hysteretic.cpp); of a virgin contact just beyond o_p k_2/k_1 ULP, since the roundings of o_p count so often.
 #pragma once
 
 #include <array>
