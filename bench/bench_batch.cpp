@@ -115,6 +115,8 @@ int main(int argc, char** argv) {
   add("DryHill", granite<DryHill<double>>(), mix);
   add("DryHill/resting", granite<DryHill<double>>(), resting);
   add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.05, 1.0, 1e-4});
+  add("DryHill/turning/rotate", granite<With<ShearForce<double, Mindlin<double>, rotation::Rotate<double>>>>(),
+      {0.05, 0.05, 1.0, 1e-4});
   add("Hill", granite<Hill<double>>(), mix);
   add("Hill/resting", granite<Hill<double>>(), resting);
   add("Jkr", granite<ContactLaw<Jkr<double>>>(), mix);

@@ -1,6 +1,6 @@
 // A batch on a GPU gives what it gives on the CPU, where nothing is contracted to fused multiply-adds:
 //
-//   nvcc -fmad=false    bit for bit, where the law calls no pow, exp, sin or cos
+//   nvcc -fmad=false    bit for bit, where the law calls no pow or exp
 //   otherwise           within a bound: as far as the CPU's result moves when each input and each value of the history
 //                       changes by up to 4 eps (the largest change of four draws, times 4), and 8 eps of the result
 //
@@ -292,7 +292,7 @@ Difference run(Law law, std::size_t size, std::size_t count, bool bits, bool in_
 
 std::size_t many = 100007;
 
-/// `exact`: the law calls no pow, exp, sin or cos.
+/// `exact`: the law calls no pow or exp.
 template <class Law>
 void test_on(const std::string& name, const Law& law, bool exact) {
   using T = typename Law::Scalar;

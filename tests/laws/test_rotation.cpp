@@ -1,5 +1,8 @@
 #include "contactlaws/tangential/rotation.hpp"
 
+#include <array>
+#include <utility>
+
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
 #include "random.hpp"
@@ -55,14 +58,47 @@ TEST_CASE("Rotation: error per radian of a turning pair halves with the step for
 
 TEST_CASE("Rotation: a common spin about the normal turns the shear with Rotate, exactly, and with nothing else") {
   const Vector normal(0, 0, 1), shear(3, 0, 0);
-  for (const double twist : {1e-9, 0.3, -2.0}) {
+  // Lambert's fraction is cut off after five terms: x^11 / 8.9e8 of an angle 4 x.
+  const std::array<std::pair<double, double>, 5> off{
+      {{1e-9, 0.0}, {-0.5, 5e-17}, {0.7, 2e-15}, {-1.0, 1e-13}, {3.0, 1.7e-8}}};
+  for (const auto& [twist, angle] : off) {
     Rotate::State state{{0, 0, 1}};
-    CHECK((Rotate::apply(state, shear, normal, twist) - turned(shear, normal, twist)).norm() <= 3 * 2.3e-16 * 3);
+    const Vector followed = Rotate::apply(state, shear, normal, twist);
+    CHECK((followed - turned(shear, normal, twist)).norm() <= 3 * (angle + 3 * 2.3e-16));
+    CHECK(followed.norm() == Approx(3.0).epsilon(4 * 2.3e-16));
+    CHECK((Rotate::slip(shear, normal, twist) - turned(shear, normal, twist / 2)).norm() <= 3 * (angle + 3 * 2.3e-16));
+    CHECK(Project::slip(shear, normal, twist) == shear);
+    CHECK(ProjectRestore::slip(shear, normal, twist) == shear);
     Project::State none;
     CHECK(Project::apply(none, shear, normal, twist) == shear);
     ProjectRestore::State nothing;
     CHECK(ProjectRestore::apply(nothing, shear, normal, twist) == shear);
   }
+}
+
+TEST_CASE("Rotation: a contact that sticks, sheared and spun in cycles, does not drift with Rotate") {
+  using Law = ContactLaw<Hertz<double>, NoDashpots<double>, ShearForce<double, Mindlin<double>, Rotate>>;
+  const Law law{{}, {}, {{}, 1e3}, {}};
+  const PairProperties<double> pair = granite_pair<double>();
+  const double overlap = 1e-5, amplitude = 0x1p-23, spin = 0x1p-6;
+  // Of so few bits that the moves of a cycle add up to zero without rounding.
+  const auto place = [](int i) { return std::round(0x1p30 * std::sin(2e-2 * 3.14159265358979323846 * i)) * 0x1p-30; };
+  Law::State state{};
+  const int steps = 100, cycles = cases(10000);
+  Vector first(0, 0, 0), last(0, 0, 0);
+  for (int cycle = 0; cycle < cycles; ++cycle)
+    for (int i = 0; i < steps; ++i) {
+      // Slip and spin of a step of length 1, in phase: the force would gain amplitude spin pi / steps in each cycle, 3e-4 of itself.
+      const double by = place(i + 1) - place(i);
+      ContactKinematics<double> motion{Vector(0, 0, 1), overlap, Vector(amplitude * by, 0, 0), 1.0};
+      motion.normal_spin = spin * by;
+      const auto step = law.step(pair, motion, state);
+      state = step.state;
+      if (i == steps / 4) (cycle == 0 ? first : last) = step.shear_force;
+    }
+  const double force = amplitude * law.stiffness(pair, overlap, {}).shear;
+  CHECK(first.norm() == Approx(force).epsilon(0.01));  // at the crest of the cycle, to half a step
+  CHECK((last - first).norm() <= 1e-12 * force);       // sqrt(1e6 steps) eps is 2e-13
 }
 
 TEST_CASE("Rotation: Rotate is exact for any turn short of reversal, of any normal") {

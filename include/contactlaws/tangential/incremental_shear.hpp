@@ -201,8 +201,9 @@ struct IncrementalShear : Stiffness, Friction {
 
   template <bool damped>
   CONTACTLAWS_HD ShearResponse<T> respond(State& state, const ShearInput<T>& in) const noexcept {
-    Vec3<T> history = Rotation::apply(state, Vec3<T>(state.shear[0], state.shear[1], state.shear[2]),
-                                      in.kinematics.normal, T(in.kinematics.normal_spin * in.kinematics.dt));
+    const T twist = in.kinematics.normal_spin * in.kinematics.dt;
+    Vec3<T> history =
+        Rotation::apply(state, Vec3<T>(state.shear[0], state.shear[1], state.shear[2]), in.kinematics.normal, twist);
     if constexpr (rescales) {
       const Mask<T> keeps = in.stiffness >= state.last_stiffness;  // not where one is NaN
       const T fall = select<T>(keeps, T(1), in.stiffness) / select<T>(keeps, T(1), state.last_stiffness);
@@ -211,7 +212,7 @@ struct IncrementalShear : Stiffness, Friction {
     }
 
     const T limit = this->sticking_limit(state, in.friction_load);
-    const Vec3<T> slip = in.slip_velocity * in.kinematics.dt;
+    const Vec3<T> slip = Rotation::slip(Vec3<T>(in.slip_velocity * in.kinematics.dt), in.kinematics.normal, twist);
     Vec3<T> spring;
     if constexpr (stored == Stored::force) {
       spring = history = history - slip * in.stiffness;

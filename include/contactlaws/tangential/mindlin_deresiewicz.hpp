@@ -88,10 +88,11 @@ struct MindlinDeresiewicz : Mindlin<T>, Coulomb<T> {
     const T limit = this->friction * in.friction_load;
     const T stiffness = select<T>(in.stiffness > T(0), in.stiffness, T(1));
     const T slope = limit * T(T(3) / T(2)) / T(stiffness * overlap);  // m
-    const Vec3<T> slip = in.slip_velocity * in.kinematics.dt;
+    const T twist = in.kinematics.normal_spin * in.kinematics.dt;
+    const Vec3<T> slip = Rotation::slip(Vec3<T>(in.slip_velocity * in.kinematics.dt), in.kinematics.normal, twist);
     const T deeper = in.kinematics.overlap - state.last_overlap;
 
-    Chain before = chain(state, in.kinematics, deeper);
+    Chain before = chain(state, in.kinematics.normal, twist, deeper);
     Chain after = before;
     for (Point& p : after.point) p.slip = p.slip + slip;
     const typename Row::Limited limited = Row::slip_at_edge(after, slope, overlap);
@@ -147,14 +148,13 @@ struct MindlinDeresiewicz : Mindlin<T>, Coulomb<T> {
     return {of.depth, Vec3<T>(of.slip[0], of.slip[1], of.slip[2])};
   }
   /// The chain of the step before, turned into the contact plane, at the depths of now.
-  CONTACTLAWS_HD static Chain chain(State& state, const ContactKinematics<T>& kinematics, const T& deeper) noexcept {
+  CONTACTLAWS_HD static Chain chain(State& state, const Vec3<T>& normal, const T& twist, const T& deeper) noexcept {
     Chain all;
     const typename Rotation::State turn = state;
     for (int i = 0; i < corners; ++i) {
       static_cast<typename Rotation::State&>(state) = turn;
       const Point p = point(state.corner[static_cast<std::size_t>(i)]);
-      const T twist = kinematics.normal_spin * kinematics.dt;
-      all.point[i + 2] = {p.depth + deeper, Rotation::apply(state, p.slip, kinematics.normal, twist)};
+      all.point[i + 2] = {p.depth + deeper, Rotation::apply(state, p.slip, normal, twist)};
     }
     all.point[0] = {deeper, Row::edge().slip};
     all.point[1] = {T(deeper + all.point[2].depth) / T(2), all.point[2].slip / T(2)};
