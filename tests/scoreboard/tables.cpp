@@ -181,7 +181,7 @@ void write(Tables& tables) {
   for (const auto& [last, along] : {std::pair{shares(25, 0, 0), shares(0, 25, 0)},
                                     {shares(0, 15, 20), shares(0, 20, -15)},
                                     {shares(9, -12, 20), shares(20, 15, 0)}})
-    for (const auto& x : combinations({{0.0, 1e-9, 0.3}, {-0.2, 0.0}, {0.5, -3.0}, {0.0, 1e-9, 2.5}})) {
+    for (const auto& x : combinations({{0.0, 1e-9, 0.3}, {-0.2, 0.0}, {0.5, -3.0}, {0.0, 1e-9, 0.5}})) {
       const Exact across = last.cross(along), shear = along + Binary200(x[2]) * across;
       const Exact turned = last + Binary200(x[0]) * along + Binary200(x[1]) * across;
       const Exact normal = turned / norm<Binary200>(turned);
