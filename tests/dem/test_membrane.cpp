@@ -1,5 +1,6 @@
 // The membrane of examples/ballast/probe: its tension under pressure, and what it passes on.
 #include "ballast/probe/membrane.hpp"
+#include "ballast/probe/micro.hpp"
 #include "ballast/probe/packing.hpp"
 #include "catch.hpp"
 
@@ -172,4 +173,12 @@ TEST_CASE("the membrane passes its pressure on to the grains") {
   CHECK(inward / area == Approx(20e3).epsilon(0.15));  // the clamped rows carry a part
   CHECK(specimen.membrane->mean_stretch() < 1.1);
   CHECK(Vec3(sum.x(), sum.y(), 0.0).norm() < 0.05 * inward);
+
+  // In motion too, the stress of all contacts less that from outside is the sum of unbalanced forces times places.
+  const Micro micro = observe(specimen, 1.0);
+  Eigen::Matrix3d unbalanced = Eigen::Matrix3d::Zero();
+  for (const dem::Clump& clump : specimen.clumps.all)
+    unbalanced += clump.force * clump.position.transpose() / specimen.vessel.volume(specimen.scene);
+  const Eigen::Matrix3d difference = micro.stress + micro.outer_part - micro.outside - unbalanced;
+  CHECK(difference.norm() < 1e-10 * micro.outside.norm());  // sums of some 1000 terms
 }
