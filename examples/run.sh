@@ -20,7 +20,8 @@ install_packages g++ make cmake libeigen3-dev libxsimd-dev nlohmann-json3-dev 'l
   libcli11-dev python3-matplotlib
 
 cmake --preset release -B build/examples -DCONTACTLAWS_BUILD_TESTS=OFF -DCONTACTLAWS_BUILD_BENCH=OFF
-cmake --build build/examples -j "$(nproc)"
+cmake --build build/examples -j "$(nproc)" --target first_contact verify_your_law drop memo contact_curves class5 probe bridge_curves \
+  contact_path
 
 build/examples/bin/first_contact
 build/examples/bin/verify_your_law build/results/verify_your_law

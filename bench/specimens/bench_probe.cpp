@@ -44,7 +44,7 @@ std::unique_ptr<Loaded> at_rest(const std::string& folder, const Sample& sample,
   TestPlan plan;
   plan.settle_time = 0.03;
   plan.confine_time = 0.05;
-  plan.unbalanced = 1e-5;  // far below what changes the number of contacts
+  plan.unbalanced = 1e-7;  // as the probe begins: while grains still fall, neighbours are listed every hundred steps
   plan.membrane = membrane;
   auto test = std::make_unique<Loaded>(plan, shapes, sample);
   dem::CaseControl control(folder + (membrane ? "/membrane.json" : "/cylinder.json"), plan);

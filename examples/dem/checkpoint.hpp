@@ -39,11 +39,11 @@ template <>
 struct adl_serializer<dem::Wall> {
   static void to_json(json& list, const dem::Wall& w) {
     list = {w.side,         w.point, w.facing, w.velocity, w.force, w.radius, w.radial_velocity,
-            w.normal_force, w.spin,  w.torque, w.extent};
+            w.normal_force, w.spin,  w.torque, w.extent,   w.group};
   }
   static void from_json(const json& list, dem::Wall& w) {
-    w = {list.at(0), list.at(1), list.at(2), list.at(3), list.at(4), list.at(5),
-         list.at(6), list.at(7), list.at(8), list.at(9), list.at(10)};
+    w = {list.at(0), list.at(1), list.at(2), list.at(3), list.at(4),  list.at(5),
+         list.at(6), list.at(7), list.at(8), list.at(9), list.at(10), list.at(11)};
   }
 };
 

@@ -228,14 +228,14 @@ class Simulation {
     const auto wall_overlap = [&, this](std::size_t w, std::size_t b) {
       return wall_motion().template at<double>(index(w), index(b)).geometry.overlap;
     };
-    const auto apart = [this](std::size_t i, std::size_t j) {
-      return balls.group[i] == -1 || balls.group[i] != balls.group[j];
-    };
+    const auto meet = [](int group, int other) { return group == -1 || group != other; };
+    const auto apart = [&, this](std::size_t i, std::size_t j) { return meet(balls.group[i], balls.group[j]); };
     const std::vector<Pair> near = find_neighbours(balls.position, balls.radius, reach, apart);
     std::vector<Pair> at_walls;
     for (std::size_t w = 0; w < walls.size(); ++w)
       for (std::size_t b = 0; b < balls.size(); ++b)
-        if (-wall_overlap(w, b) <= reach) at_walls.push_back({static_cast<int>(w), static_cast<int>(b)});
+        if (meet(walls[w].group, balls.group[b]) && -wall_overlap(w, b) <= reach)
+          at_walls.push_back({static_cast<int>(w), static_cast<int>(b)});
     ball_contacts.list(
         ball_law, near, reach, balls.size(), balls.size(),
         [this](std::size_t i, std::size_t j) { return contactlaws::pair_properties(balls.side[i], balls.side[j]); },

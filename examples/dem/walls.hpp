@@ -25,6 +25,7 @@ struct Wall {
   Vec3 spin = Vec3::Zero();    ///< of a plane, about `point` [rad/s]
   Vec3 torque = Vec3::Zero();  ///< of all contacts on the wall, about `point` [N m]
   double extent = 0.0;         ///< of a plane that turns: largest distance of its contacts from `point` [m]
+  int group = -1;              ///< it does not meet the balls of this group; -1 for none
 
   /// The plane that a ball at `position` meets.
   contactlaws::BodyMotion<double> nearest(const Vec3& position, Vec3& normal) const {

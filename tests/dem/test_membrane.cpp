@@ -1,5 +1,6 @@
 // The membrane of examples/ballast/probe: its tension under pressure, and what it passes on.
 #include "ballast/probe/membrane.hpp"
+#include "ballast/probe/micro.hpp"
 #include "ballast/probe/packing.hpp"
 #include "catch.hpp"
 
@@ -118,6 +119,33 @@ TEST_CASE("the membrane weighs what 4 mm of rubber weigh, and has 12 600 spheres
   CHECK(mass / volume < 1300.0);
 }
 
+TEST_CASE("the pressure presses the membrane onto the platens, not past them") {
+  // Between two platens stands one grain, a ball that touches them in their centres: wide voids at foot and head.
+  constexpr double outside = 150e3, height = 2.0 * radius;
+  MembraneSettings settings;
+  settings.around = 100;
+  settings.rows = 38;
+  settings.reach = radius;
+  Membrane membrane(settings, radius, height);
+  dem::Simulation<Boundary> grains = no_grains(5e-6);
+  dem::Clumps clumps;
+  clumps.add(grains, dem::clump_shape({{Vec3::Zero(), radius}}), granite, {0.0, 0.0, radius});
+  clumps.start(grains);
+  membrane.surround(grains);
+  const dem::Wall bottom{{}, Vec3::Zero(), Vec3::UnitZ()}, top{{}, {0.0, 0.0, height}, -Vec3::UnitZ()};
+  for (int i = 0; i < 6000; ++i) membrane.step(grains, clumps, outside, bottom, top);
+  const double lattice = 2.0 * contactlaws::pi<double>() * radius / settings.around * height / (settings.rows - 1);
+  const double overlap = outside * lattice / settings.contact_stiffness;  // of a sphere that carries its own pressure
+  std::size_t lying = 0;
+  for (auto b = static_cast<std::size_t>(settings.around);
+       b < membrane.spheres() - static_cast<std::size_t>(settings.around); ++b) {
+    const double z = membrane.scene.balls.position[b].z(), gap = std::min(z, height - z) - settings.sphere_radius;
+    CHECK(gap > -5.0 * overlap);  // a neighbour's share too, where the membrane is stretched or turns off the platen
+    if (gap < 0.0) ++lying;
+  }
+  CHECK(lying > 100);
+}
+
 TEST_CASE("the membrane passes its pressure on to the grains") {
   // A clump as wide as a cylinder would be is too simple; grains of a small sample do.
   SampleSize size;
@@ -145,4 +173,12 @@ TEST_CASE("the membrane passes its pressure on to the grains") {
   CHECK(inward / area == Approx(20e3).epsilon(0.15));  // the clamped rows carry a part
   CHECK(specimen.membrane->mean_stretch() < 1.1);
   CHECK(Vec3(sum.x(), sum.y(), 0.0).norm() < 0.05 * inward);
+
+  // In motion too, the stress of all contacts less that from outside is the sum of unbalanced forces times places.
+  const Micro micro = observe(specimen, 1.0);
+  Eigen::Matrix3d unbalanced = Eigen::Matrix3d::Zero();
+  for (const dem::Clump& clump : specimen.clumps.all)
+    unbalanced += clump.force * clump.position.transpose() / specimen.vessel.volume(specimen.scene);
+  const Eigen::Matrix3d difference = micro.stress + micro.outer_part - micro.outside - unbalanced;
+  CHECK(difference.norm() < 1e-10 * micro.outside.norm());  // sums of some 1000 terms
 }

@@ -99,6 +99,30 @@ TEST_CASE("the sample is packed without stress at the voids ratio asked for") {
   CHECK(specimen.vessel.radial_stress(specimen.scene) < 1.5e3);
 }
 
+TEST_CASE("distances shrink with the vessel, so that no grain is swept ahead of a wall") {
+  SampleSize size;
+  size.diameter = 0.2;
+  size.height = 0.3;
+  size.voids_ratio = 30.0;  // so few grains that some never touch
+  constexpr double start = 2.0;
+  dem::CaseControl no_file;
+  const Sample before = scattered(size, shapes(), start), after = shrink(size, shapes(), no_file);
+  const auto reach = [](const Grain& grain) { return shapes()[grain.shape].reach * grain.size; };
+  std::size_t free = 0;
+  for (std::size_t i = 0; i < before.grains.size(); ++i) {
+    const Vec3 expected = before.grains[i].position / start;
+    const double own = reach(before.grains[i]);
+    bool touches = std::hypot(expected.x(), expected.y()) + own > after.radius || expected.z() < own ||
+                   expected.z() + own > after.height;
+    for (std::size_t j = 0; j < before.grains.size(); ++j)
+      touches |= j != i && (after.grains[j].position - expected).norm() < own + reach(before.grains[j]);
+    if (touches) continue;
+    ++free;
+    CHECK((after.grains[i].position - expected).norm() < 1e-9);  // rounding of 10 000 steps
+  }
+  CHECK(free > 0);
+}
+
 TEST_CASE("the pressure of the cylinder comes to rest at the pressure outside, without noise") {
   TestPlan plan = hasty();
   Test<Hertz> test(plan, shapes(), small_sample());

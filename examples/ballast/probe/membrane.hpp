@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The flexible membrane of the triaxial cell (Tolomeo & McDowell 2022, Table 2): bonded spheres in a triangular lattice around
 // the specimen. The pressure outside acts on the true area of each triangle, a third on each corner. Spheres meet pebbles
-// without friction, with a linear stiffness, and do not meet each other. The lowest and the highest row move with the platens.
+// without friction, with a linear stiffness, and do not meet each other. The lowest and the highest row are clamped to the rims of
+// the platens and move with them.
+//
+// The spheres meet the platens too, as pebbles do. Without that the pressure blows the membrane through the gap between a platen
+// and the grains, past the platen's face: at 150 kPa a pocket then grows under the bottom platen until grains are lost.
 //
 // Bonds: the paper prints 1e3 N/m. Such a membrane balloons between grains and fails beyond 95 kPa. A triangular lattice of bonds k
 // is a sheet of stiffness E t = 2 k / sqrt(3) and Poisson's ratio 1/3; 4 mm of rubber of 1.4 MPa have k = 5e3 N/m, used here.
@@ -45,7 +49,7 @@ class Membrane {
     double length;  ///< without force [m]
   };
 
-  dem::Simulation<Boundary> scene;  ///< spheres first, then copies of pebbles
+  dem::Simulation<Boundary> scene;  ///< spheres first, then copies of pebbles; walls: bottom and top platen
   std::vector<Bond> bonds;
   std::vector<std::array<std::size_t, 3>> triangles;  ///< corners, counter-clockwise from outside
 
@@ -66,6 +70,12 @@ class Membrane {
       }
     spheres_ = scene.balls.size();
     connect();
+    const contactlaws::ContactBody<double> rigid{0.0, 0.0, 0.0, 0.0, 0.0};
+    dem::Wall bottom{rigid, Vec3::Zero(), Vec3::UnitZ()}, top{rigid, {0.0, 0.0, height}, -Vec3::UnitZ()};
+    bottom.group = top.group = pebbles_group;  // pebbles meet the platens in the scene of the grains
+    top.extent = radius;
+    scene.add(bottom);
+    scene.add(top);
   }
 
   std::size_t spheres() const { return spheres_; }
@@ -86,15 +96,8 @@ class Membrane {
   template <class Grains>
   void step(Grains& grains, dem::Clumps& clumps, double pressure, const dem::Wall& bottom, const dem::Wall& top) {
     scene.time_step = grains.last_step;
-    const auto in_row = static_cast<std::size_t>(settings_.around);
-    const auto moves_with = [this](const dem::Wall& platen, std::size_t sphere) {
-      scene.balls.velocity[sphere] =
-          platen.velocity + platen.spin.cross(Vec3(scene.balls.position[sphere] - platen.point));
-    };
-    for (std::size_t i = 0; i < in_row; ++i) {
-      moves_with(bottom, i);
-      moves_with(top, spheres_ - 1 - i);
-    }
+    move_with(bottom, 0, 0);
+    move_with(top, 1, spheres_ - static_cast<std::size_t>(settings_.around));
     bool moved_far = scene.begin_step() || listed_.size() != clumps.size();
     for (std::size_t i = 0; i < clumps.size() && !moved_far; ++i)
       moved_far = !clumps.all[i].is_near(listed_[i], scene.allowed_motion());
@@ -107,12 +110,17 @@ class Membrane {
     scene.finish_step(moved_far);
     if (moved_far) note_listing(grains, clumps);
     add_outer_forces(pressure);
-    for (const std::size_t k : active_) {
-      const Vec3 force = scene.balls.force[spheres_ + k];
-      dem::Clump& clump = clumps.all[static_cast<std::size_t>(grains.balls.group[pebble_[k]])];
+    for_each_push([&](std::size_t pebble, const Vec3& force) {
+      dem::Clump& clump = clumps.all[static_cast<std::size_t>(grains.balls.group[pebble])];
       clump.force += force;
-      clump.torque += Vec3(grains.balls.position[pebble_[k]] - clump.position).cross(force);
-    }
+      clump.torque += Vec3(grains.balls.position[pebble] - clump.position).cross(force);
+    });
+  }
+  /// Calls `visit(pebble, force)`: the id of a pebble among the grains' balls, and the force of the membrane on it [N]. Without
+  /// friction it passes through the pebble's centre.
+  template <class Visit>
+  void for_each_push(const Visit& visit) const {
+    for (const std::size_t k : active_) visit(pebble_[k], Vec3(scene.balls.force[spheres_ + k]));
   }
 
   /// Adds bonds and pressure to the forces of the contacts. (The fourth number of a row is the radius, the same for all spheres.)
@@ -163,6 +171,14 @@ class Membrane {
   std::vector<std::size_t> active_;  ///< copies with listed contacts
   std::vector<dem::Clump> listed_;   ///< as they were when neighbours were listed; empty before
 
+  /// Wall `id` and the row that begins with sphere `first` move as the platen does.
+  void move_with(const dem::Wall& platen, std::size_t id, std::size_t first) {
+    dem::Wall& own = scene.walls[id];
+    own.velocity = platen.velocity;
+    own.spin = platen.spin;
+    for (std::size_t b = first; b < first + static_cast<std::size_t>(settings_.around); ++b)
+      scene.balls.velocity[b] = own.velocity + own.spin.cross(Vec3(scene.balls.position[b] - own.point));
+  }
   template <class Grains>
   void copy(const Grains& grains, std::size_t k) {
     scene.balls.position[spheres_ + k].all() = grains.balls.position[pebble_[k]].all();

@@ -10,8 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "dem/clump_measures.hpp"
-#include "laws.hpp"
-#include "vessel.hpp"
+#include "sample.hpp"
 
 namespace probe {
 
@@ -33,10 +32,10 @@ struct Branch {
 };
 
 struct Micro {
-  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();     ///< from contacts between grains [Pa], compression > 0
-  Eigen::Matrix3d wall_part = Eigen::Matrix3d::Zero();  ///< what the contacts at walls add to it [Pa]
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();      ///< from contacts between grains [Pa], compression > 0
+  Eigen::Matrix3d outer_part = Eigen::Matrix3d::Zero();  ///< what contacts with walls and membrane add to it [Pa]
   Eigen::Matrix3d outside =
-      Eigen::Matrix3d::Zero();               ///< from the forces at walls and the weights, times their places [Pa]
+      Eigen::Matrix3d::Zero();               ///< from the forces of walls, membrane and weight, times their places [Pa]
   Branch all, virgin, unloading, reloading;  ///< contacts between grains that carry a force
   double coordination = 0.0;                 ///< such contacts per grain, each counted for both grains [1]
   double touching_grains = 0.0;              ///< pairs of grains that touch, likewise [1]
@@ -46,7 +45,7 @@ struct Micro {
   double largest_force = 0.0;                ///< [N]
 
   /// At rest the stress of all contacts is that from outside: what is missing, over it [1].
-  double missing() const { return std::abs((stress + wall_part - outside)(2, 2) / outside(2, 2)); }
+  double missing() const { return std::abs((stress + outer_part - outside)(2, 2) / outside(2, 2)); }
   double share(const Branch& branch) const {
     return all.count > 0 ? static_cast<double>(branch.count) / static_cast<double>(all.count) : 0.0;
   }
@@ -82,9 +81,12 @@ void add_history(Micro& micro, double& ratios, const Law& law, const contactlaws
 
 }  // namespace detail
 
+/// `solid_volume`: of all grains [m^3].
 template <class Law>
-Micro observe(const dem::Simulation<Law, Boundary>& scene, const dem::Clumps& clumps, double volume,
-              double solid_volume) {
+Micro observe(const Specimen<Law>& specimen, double solid_volume) {
+  const auto& scene = specimen.scene;
+  const dem::Clumps& clumps = specimen.clumps;
+  const double volume = specimen.vessel.volume(scene);
   Micro micro;
   double ratios = 0.0;
   std::set<std::pair<int, int>> touching;
@@ -103,14 +105,19 @@ Micro observe(const dem::Simulation<Law, Boundary>& scene, const dem::Clumps& cl
     touching.insert({std::min(one, two), std::max(one, two)});
     detail::add_history(micro, ratios, scene.ball_law, scene.ball_contacts.pair(c), contact);
   }
+  const auto add_outside = [&](std::size_t ball, const Vec3& place, const Vec3& force) {
+    const Vec3 branch = clumps.all[static_cast<std::size_t>(scene.balls.group[ball])].position - place;
+    micro.outer_part += force * branch.transpose() / volume;
+    micro.outside -= force * place.transpose() / volume;
+  };
   for (std::size_t c = 0; c < scene.wall_contacts.size(); ++c) {
     const std::size_t ball = scene.wall_contacts.second(c);
     const auto contact = scene.wall_contact(c);
-    const Vec3 place = scene.balls.position[ball] + contact.geometry.arm2;
-    const Vec3 branch = clumps.all[static_cast<std::size_t>(scene.balls.group[ball])].position - place;
-    micro.wall_part += contact.response.force * branch.transpose() / volume;
-    micro.outside -= contact.response.force * place.transpose() / volume;
+    add_outside(ball, scene.balls.position[ball] + contact.geometry.arm2, contact.response.force);
   }
+  if (specimen.membrane)
+    specimen.membrane->for_each_push(
+        [&](std::size_t ball, const Vec3& force) { add_outside(ball, scene.balls.position[ball], force); });
   for (const dem::Clump& clump : clumps.all)
     micro.outside -= clump.mass * scene.gravity * clump.position.transpose() / volume;
   const double contacts = static_cast<double>(std::max<std::size_t>(1, micro.all.count)),

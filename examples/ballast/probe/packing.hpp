@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Packs the sample without stress at a given voids ratio, in two phases. Each can be stopped, and goes on with the same bits.
 //
-//   shrink   clumps start apart from each other in a vessel twice as large, which shrinks slowly onto them, without friction and
-//            gravity, under springs so soft that they give way. (The paper lets grains grow in a fixed vessel: the same, on
-//            another scale.)
+//   shrink   clumps start apart from each other in a vessel twice as large. Vessel and distances shrink slowly together, without
+//            friction and gravity, under springs so soft that they give way. (The paper lets grains grow in a fixed vessel: the
+//            same, on another scale. Walls alone would sweep the grains ahead of them and leave the foot of the sample loose.)
 //   relax    what is left of overlaps would be kilonewtons under Hertz and would count as loading history, so the grains drive
 //            each other apart under Hertz, still without friction
 #pragma once
@@ -45,6 +45,8 @@ inline Sample shrink(const SampleSize& size, const std::vector<dem::ClumpShape>&
     const bool shrinks = scene.steps < steps;
     scene.walls[Vessel::top].velocity.z() = shrinks ? -downward : 0.0;
     scene.walls[Vessel::side].radial_velocity = shrinks ? -inward : 0.0;
+    const double lower = shrinks ? downward * scene.time_step : 0.0;
+    for (dem::Clump& clump : specimen.clumps.all) clump.position *= 1.0 - lower / Vessel::height(scene);
     specimen.step();
   }
   specimen.take_places(sample);

@@ -41,7 +41,7 @@ class Test {
   }
 
   double unbalanced() const { return dem::unbalanced_force(specimen.scene, specimen.clumps); }
-  Micro micro() const { return observe(specimen.scene, specimen.clumps, volume(), solid_volume_); }
+  Micro micro() const { return observe(specimen, solid_volume_); }
 
   /// Runs the test to its end, from where an earlier run left it. @throws common::Stopped; std::runtime_error if a step is
   /// unstable or a grain leaves the vessel
@@ -93,7 +93,6 @@ class Test {
   nlohmann::json before_noise_;  ///< scene and state to go back to after a probe of noise; null outside of one
   static constexpr double probe_skin = 0.1e-3;  ///< grains hardly move from loading on [m]
 
-  double volume() const { return specimen.vessel.area(specimen.scene) * Vessel::height(specimen.scene); }
   double phase_time() const { return specimen.scene.time - state.phase_start; }
   bool falls() const {
     return state.phase == Phase::rest && std::fmod(phase_time(), 2.0 * plan.fall_time) < plan.fall_time;
@@ -226,7 +225,7 @@ class Test {
     if (noise_probe_is_due()) before_noise_ = {{"scene", dem::scene_to_json(scene)}, {"state", *this}};
     if (state.phase == Phase::rest) {
       state.rest_time = phase_time();
-      state.voids_ratio = volume() / solid_volume_ - 1.0;
+      state.voids_ratio = specimen.vessel.volume(scene) / solid_volume_ - 1.0;
       state.identity = micro().missing();
       specimen.take_places(state.at_rest);
     }

@@ -56,6 +56,10 @@ struct Vessel {
     return contactlaws::pi<double>() * radius(scene) * radius(scene);
   }
   template <class Scene>
+  double volume(const Scene& scene) const {
+    return area(scene) * height(scene);
+  }
+  template <class Scene>
   double lateral_area(const Scene& scene) const {
     return 2.0 * contactlaws::pi<double>() * radius(scene) * height(scene);
   }
