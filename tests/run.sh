@@ -53,7 +53,8 @@ fi
 install_packages g++ make cmake pkg-config python3 python3-mpmath libeigen3-dev catch2 'libboost1.81-dev|libboost-dev' \
   libxsimd-dev nlohmann-json3-dev
 if [ $all = ON ]; then
-  install_packages libtomlplusplus-dev libcli11-dev clang libclang-rt-dev 'clang-format-14|clang-format' 'clang-tidy-14|clang-tidy'
+  install_packages libtomlplusplus-dev libcli11-dev clang libclang-rt-dev 'clang-format-14|clang-format' 'clang-tidy-14|clang-tidy' \
+    python3-vtk9
 fi
 
 # build FOLDER PRESET COMPILER LABEL: builds the tests and runs those with the label.
