@@ -154,7 +154,19 @@ struct CapillaryLaw {
 };
 
 template <class T>
+using SpringDashpot = RollingSpringDashpot<T>;
+template <class T>
+using SpringDashpotOfShear = RollingSpringDashpot<T, ShearRolling<T>>;
+template <class T>
+using SpringDashpotGiven = RollingSpringDashpot<T, GivenRolling<T>>;
+template <class T>
+using Twist = TwistingSpringDashpot<T>;
+template <class T>
+using TwistGiven = TwistingSpringDashpot<T, GivenTwisting<T>>;
+template <class T>
 using SpringAndTwist = RollAndTwist<T, RollingSpringDashpot<T>>;
+template <class T>
+using GivenAndTwist = RollAndTwist<T, SpringDashpotGiven<T>, Twist<T>>;
 
 struct DashpotsLaw {
   template <class T, class Use>
@@ -333,6 +345,18 @@ inline const auto& rolling_laws() {
                          {"effective_radius"}),
       law<RollingTorque>("torque", "constant torque rolling_friction R* P against rolling; 0 at rest",
                          {"effective_radius"}),
+      law<SpringDashpot>("spring_dashpot", "the spring, and a dashpot below its limit",
+                         {"effective_radius", "effective_mass"}),
+      law<SpringDashpotOfShear>("spring_dashpot_of_shear",
+                                "the same with k_r = stiffness_ratio k_n R*^2, k_n the normal law's tangent",
+                                {"effective_radius", "effective_mass"}),
+      law<SpringDashpotGiven>("spring_dashpot_given", "the same with a given stiffness",
+                              {"effective_radius", "effective_mass"}),
+      law<Twist>("twisting", "Marshall's spring and dashpot against twisting; beside Hertz",
+                 {"effective_mass", "effective_young", "effective_shear"}),
+      law<TwistGiven>("twisting_given", "spring and dashpot against twisting: |M| <= twisting_reach P"),
+      law<GivenAndTwist>("spring_dashpot_given_twisting", "spring_dashpot_given and twisting",
+                         {"effective_radius", "effective_mass", "effective_young", "effective_shear"}),
       law<SpringAndTwist>("spring_dashpot_twisting",
                           "spring with a dashpot against rolling, spring against twisting; beside Hertz",
                           {"effective_radius", "effective_mass", "effective_young", "effective_shear"})};

@@ -10,5 +10,6 @@
 #include "contactlaws/rolling/rolling_spring_dashpot.hpp"
 #include "contactlaws/rolling/rolling_torque.hpp"
 #include "contactlaws/rolling/twisting_spring.hpp"
+#include "contactlaws/rolling/twisting_spring_dashpot.hpp"
 #include "contactlaws/tangential/mindlin_deresiewicz.hpp"
 #include "contactlaws/timestep.hpp"

@@ -127,8 +127,9 @@ TEST_CASE("Energy: work = stored + dissipated, converging with the step; what pr
     INFO(coarse.dissipated() << ' ' << fine.dissipated() - coarse.dissipated() << ' ' << change);
     // First order at least, until a step decides that slip begins or ends in, or that a bridge ruptures in: one in 1e5 of the
     // work, or of the energy of the bridge.
-    // Partial slip: the step decides which corner of the history is dropped, 5 % of the force (mindlin_deresiewicz.hpp).
-    const double dropped = law->name.find("Mindlin") == 0 ? 0.05 * std::abs(finest.dissipated()) : 0.0;
+    // Partial slip: of two corners of the history that bear nearly the same, the step decides which is dropped. Both choices leave the
+    // force within its error, 1.6 % of mu P (mindlin_deresiewicz.hpp), and differ by a part of it: 1.4e-3 of the heat here, twice that.
+    const double dropped = law->name.find("Mindlin") == 0 ? 3e-3 * std::abs(finest.dissipated()) : 0.0;
     const double in_one_step =
         dropped + 1e-5 * (std::abs(finest.dissipated()) + std::abs(finest.stored_at_start)) + 1e-14;
     CHECK(change <= 0.75 * std::abs(fine.dissipated() - coarse.dissipated()) + in_one_step);

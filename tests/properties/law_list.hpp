@@ -71,6 +71,7 @@ void visit_each_slot(const Visit& visit) {
   visit("Rolling torque", 0, compose(s.hertz, s.undamped, s.smooth, s.dry, RollingTorque<T>{0.1}));
   visit("Rolling dashpot, twisting", 4,
         compose(s.hertz, s.undamped, s.smooth, s.dry, RollAndTwist<T, RollingSpringDashpot<T>>{{{}, 0.2, 0.3}, {0.4}}));
+  visit("Twisting dashpot", 1, compose(s.hertz, s.undamped, s.smooth, s.dry, TwistingSpringDashpot<T>{{0.4, 0.3}}));
   visit(
       "Static and kinetic friction", 5,
       compose(s.hertz, s.undamped,
@@ -99,6 +100,10 @@ void visit_laws(const Visit& visit) {
         compose(s.spring, s.damped, s.smooth, s.dry, RollingSpringDashpot<T, ShearRolling<T>>{{0.6}, 0.1, 0.2}));
   visit("Rolling of a given stiffness", 3,
         compose(s.hertz, s.clipped, s.smooth, s.dry, RollingSpringDashpot<T, GivenRolling<T>>{{10.0}, 0.1, 0.2}));
+  visit("Rolling, twisting of a given stiffness", 4,
+        compose(s.spring, s.damped, s.smooth, s.dry,
+                RollAndTwist<T, RollingSpring<T>, TwistingSpringDashpot<T, GivenTwisting<T>>>{{0.2},
+                                                                                              {{10.0, 1e-4, 1e-5}}}));
   visit("Jkr wet", 2, compose(Jkr<T>{0.5}, s.undamped, s.smooth, s.wet));
   visit("Hertz damped", 0, compose(s.hertz, s.damped, s.smooth, s.dry));
   visit("Hertz wet", 1, compose(s.hertz, s.undamped, s.smooth, s.wet));

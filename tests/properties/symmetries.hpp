@@ -123,6 +123,7 @@ struct Units {
     if (unit == "m^3") return length * length * length;
     if (unit == "N") return force;
     if (unit == "N m") return force * length;
+    if (unit == "N m s") return force * length * time;
     if (unit == "J/m^2") return force / length;
     if (unit == "N/m") return force / length;
     if (unit == "Pa") return force / (length * length);

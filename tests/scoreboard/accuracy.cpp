@@ -107,6 +107,47 @@ class Kernels {
                                   r.binary<T>(-5, 5),  r.binary<T>(-30, -5), r.binary<T>(-10, 20)};
         },
         "k_r is a chain of five roundings");
+    // Spring and dashpot from no history, so that both have one sign.
+    roots(
+        "twisting.couple with dashpot", "alpha_t R* E* G* k_n m* w dt",
+        [](const auto& x) {
+          using S = std::decay_t<decltype(x[0])>;
+          typename TwistingSpring<S>::State none{};
+          const PairProperties<S> pair{x[1], x[2], x[3], x[5], x[1], x[1]};
+          const ContactKinematics<S> k{{S(0), S(0), S(1)}, S(1), {S(0), S(0), S(0)}, x[7], S(0), {S(0), S(0), x[6]}};
+          return TwistingSpringDashpot<S>{{S(1e9), x[0]}}.respond(none, {pair, k, x[4], S(1e9)}).couple.z();
+        },
+        [](Random& r) {
+          return std::array<T, 8>{r.binary<T>(-10, 2), r.binary<T>(-20, 0), r.binary<T>(20, 30), r.binary<T>(20, 30),
+                                  r.binary<T>(10, 20), r.binary<T>(-30, 0), r.binary<T>(-5, 5),  r.binary<T>(-20, -5)};
+        },
+        "k_t and c_t are chains of six roundings, and then a sum");
+  }
+
+  void yield() const {
+    roots(
+        "thornton_ning.loading force", "p_y R* E* o",
+        [](const auto& x) {
+          using S = std::decay_t<decltype(x[0])>;
+          typename ThorntonNing<S>::State none{};
+          return ThorntonNing<S>{x[0]}.respond(none, pair_of(x[1], x[2]), x[3]).force;
+        },
+        [](Random& r) {
+          return std::array<T, 4>{r.binary<T>(10, 30), r.binary<T>(-20, 0), r.binary<T>(25, 40), r.binary<T>(-40, -5)};
+        },
+        "the yield overlap is a chain of five roundings, three times a square");
+    roots(
+        "linear_hysteretic.loading force", "k_1 k_2 phi R* o",
+        [](const auto& x) {
+          using S = std::decay_t<decltype(x[0])>;
+          typename LinearHysteretic<S>::State none{};
+          return LinearHysteretic<S>{x[0], S(x[0] * x[1]), S(0), x[2]}.respond(none, pair_of(x[3], S(1)), x[4]).force;
+        },
+        [](Random& r) {
+          return std::array<T, 5>{r.binary<T>(10, 30), T(1) + r.binary<T>(-4, 6), r.binary<T>(-10, 0),
+                                  r.binary<T>(-20, 0), r.binary<T>(-40, -5)};
+        },
+        "beyond the plastic depth the roundings of it count k_2/k_1 times");
   }
 
   void linear() const {
@@ -346,6 +387,7 @@ void judge_all(const Effort& effort) {
   kernels.pairs();
   kernels.hertz();
   kernels.adhesion_and_rolling();
+  kernels.yield();
   kernels.linear();
   kernels.dashpots();
   kernels.bridge();

@@ -264,6 +264,58 @@ void b1() {
   report({4, "B1 D: forces of a bridge that has ruptured", static_cast<double>(formed_again), "of 4", 0.0, 4});
 }
 
+/// The laws beyond the two documents, each by a closed form of its source.
+void added_laws() {
+  const PairProperties<double> pair = granite_pair<double>();
+  const Long root = std::sqrt(Long(pair.effective_radius)), pull = 3 * pi<Long>() * 50 * pair.effective_radius / 2;
+  const Jkr<double> jkr{50.0};
+  Jkr<double>::State holds{1.0};
+  law_alone(
+      "A1 D: JKR pulls 3/2 pi w R*, and 8/9 of it at touch",
+      std::max(relative(jkr.pull_off_force(pair), pull), relative(-jkr.respond(holds, pair, 0.0).force, 8 * pull / 9)));
+
+  // Luding: unloading gives back F^2/(2 k_2) of F = k_1 o_m, with k_2 grown halfway at half of the plastic depth.
+  const LinearHysteretic<double> luding{1e6, 5e6, 0.0, 1e-2};
+  const Long plastic = 2 * 1e-2L * pair.effective_radius * 5 / 4, deep = plastic / 2, stiffness = 1e6L + 4e6L / 2;
+  LinearHysteretic<double>::State loaded{static_cast<double>(deep)};
+  law_alone("Y1 D: Luding's line of unloading holds k_1^2 o_m^2/(2 k_2)",
+            relative(luding.energy(loaded, pair, static_cast<double>(deep)), 1e12L * deep * deep / (2 * stiffness)));
+  const ThorntonNing<double> yields{1e9};
+  const Long ratio = pi<Long>() * 1e9L / (2 * Long(pair.effective_young)),
+             start = pair.effective_radius * ratio * ratio;
+  ThorntonNing<double>::State fresh{};
+  law_alone("Y2 D: Thornton-Ning beyond yield, pi p_y R* (o - o_y/3)",
+            relative(yields.respond(fresh, pair, static_cast<double>(10 * start)).force,
+                     pi<Long>() * 1e9L * pair.effective_radius * (10 * start - start / 3)));
+
+  // Partial slip at a constant load: mu P (1 - (1 - s/s_max)^(3/2)).
+  ContactLaw<Hertz<double>, NoDashpots<double>, MindlinDeresiewicz<double>> slips;
+  slips.shear.friction = 0.4;
+  const double overlap = 1e-4;
+  const Long load = 4 * Long(pair.effective_young) / 3 * root * std::pow(Long(overlap), 1.5L);
+  const Long most = 3 * 0.4L * load / (16 * Long(pair.effective_shear) * root * std::sqrt(Long(overlap)));
+  double worst = 0.0;
+  for (const double share : {0.1, 0.5, 0.9}) {
+    auto state = decltype(slips)::State{};
+    state = slips.step(pair, {{0, 0, 1}, overlap, {0, 0, 0}, 1.0}, state).state;
+    const double slip = static_cast<double>(share * most);
+    const Vector force = slips.step(pair, {{0, 0, 1}, overlap, {slip, 0, 0}, 1.0}, state).force;
+    worst = std::max(worst, relative(-force.x(), 0.4L * load * (1 - std::pow(1 - slip / most, 1.5L))));
+  }
+  law_alone("M1 D: partial slip at a constant load is Mindlin's curve", worst);
+
+  // Rolling and twisting: springs below their limits.
+  using Couples = RollAndTwist<double, RollingSpring<double>, TwistingSpringDashpot<double>>;
+  ContactLaw<Hertz<double>, NoDashpots<double>, Frictionless<double>, Dry<double>, Couples> turns;
+  turns.rolling.rolling_friction = 0.1;
+  turns.rolling.twisting_friction = 0.4;
+  const Vector couple = turns.step(pair, {{0, 0, 1}, overlap, {0, 0, 0}, 1.0, 0.0, {1e-5, 0, 1e-5}}, {}).couple;
+  const Long a = root * std::sqrt(Long(overlap)), arm = 0.1L * pair.effective_radius;
+  law_alone("R1 D: 9/4 k_n (mu_r R*)^2 against rolling, 4 G* a^3 against twisting",
+            std::max(relative(-couple.x(), 9 * 2 * Long(pair.effective_young) * a * arm * arm / 4 * 1e-5L),
+                     relative(-couple.z(), 4 * Long(pair.effective_shear) * a * a * a * 1e-5L)));
+}
+
 /// N1: the moments of F on body 2 and -F on body 1, at the contact point, cancel about any point.
 void n1(std::int64_t count) {
   Random random;
@@ -295,5 +347,6 @@ int main(int argc, char** argv) {
   e1();
   p1();
   b1();
+  added_laws();
   n1(effort(100000, 10000000));
 }

@@ -149,4 +149,34 @@ TEST_CASE("the options of a law file choose the types of the library") {
   )");
 }
 
+TEST_CASE("each rolling law of a file is that of the library") {
+  const auto rolls = [](const auto& rolling, const std::string& text) {
+    using Rolling = std::decay_t<decltype(rolling)>;
+    ContactLaw<Hertz<double>, NoDashpots<double>, ShearForce<double>, Dry<double>, Rolling> law;
+    law.shear.friction = 0.4;
+    law.rolling = rolling;
+    same_bits_as(law,
+                 "normal = \"hertz\"\nshear = { law = \"force\", friction = 0.4 }\nrolling = { law = " + text + " }\n");
+  };
+  using Of = ShearRolling<double>;
+  using Given = GivenRolling<double>;
+  rolls(RollingSpring<double>{0.2}, R"("spring", rolling_friction = 0.2)");
+  rolls(RollingTorque<double>{0.2}, R"("torque", rolling_friction = 0.2)");
+  rolls(RollingSpringDashpot<double>{{}, 0.2, 0.3},
+        R"("spring_dashpot", rolling_friction = 0.2, rolling_damping = 0.3)");
+  rolls(RollingSpringDashpot<double, Of>{{0.6}, 0.2, 0.3},
+        R"("spring_dashpot_of_shear", stiffness_ratio = 0.6, rolling_friction = 0.2, rolling_damping = 0.3)");
+  rolls(RollingSpringDashpot<double, Given>{{7.0}, 0.2, 0.3},
+        R"("spring_dashpot_given", rolling_stiffness = 7, rolling_friction = 0.2, rolling_damping = 0.3)");
+  rolls(TwistingSpringDashpot<double>{{0.4, 0.3}}, R"("twisting", twisting_friction = 0.4, twisting_damping = 0.3)");
+  rolls(TwistingSpringDashpot<double, GivenTwisting<double>>{{5.0, 1e-3, 2.0}},
+        R"("twisting_given", twisting_stiffness = 5, twisting_reach = 1e-3, twisting_viscosity = 2)");
+  rolls(RollAndTwist<double, RollingSpringDashpot<double>>{{{}, 0.2, 0.3}, {0.4}},
+        R"("spring_dashpot_twisting", rolling_friction = 0.2, rolling_damping = 0.3, twisting_friction = 0.4)");
+  rolls(RollAndTwist<double, RollingSpringDashpot<double, Given>, TwistingSpringDashpot<double>>{{{7.0}, 0.2, 0.3},
+                                                                                                 {{0.4, 0.3}}},
+        R"("spring_dashpot_given_twisting", rolling_stiffness = 7, rolling_friction = 0.2, rolling_damping = 0.3, )"
+        R"(twisting_friction = 0.4, twisting_damping = 0.3)");
+}
+
 }  // namespace

@@ -5,7 +5,8 @@
 //   M* = rotated M - k_r w_r dt,   |M| <= mu_r R* P, direction kept     M acts on body 2, is the history
 //   k_r = 9/4 k_n (mu_r R*)^2      w_r = w - (w.n) n,   w = w2 - w1
 //
-// Ai, Chen, Rotter & Ooi (2011), model C, without its dashpot. A ball that rolls on a plane
+// J. Ai, J.-F. Chen, J. M. Rotter & J. Y. Ooi (2011), Assessment of rolling resistance models in discrete element simulations, Powder
+// Technology 206, model C, without its dashpot. A ball that rolls on a plane
 // at v0 stops after v0 / (5/7 mu_r g); on an incline it stays if tan(angle) < mu_r. Twisting (w.n) is free.
 // Domain: any step; mu_r >= 0. History: three values. Error of one step: 9 ULP of the larger of M and k_r w_r dt
 // (tests/laws/test_rolling_spring.cpp). M does not change with k_n: like ShearForce it is not conservative on closed loops

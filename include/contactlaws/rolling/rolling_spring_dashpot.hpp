@@ -5,11 +5,13 @@
 //   M* = rotated M - k_r w_r dt,   |M| <= mu_r R* P, direction kept     M is the history (as RollingSpring)
 //   couple on body 2 = M - c_r w_r where |M*| is within the limit, else M;   c_r = alpha_r sqrt(m* R*^2 k_r)
 //
-//   AiRolling     k_r = 9/4 k_n (mu_r R*)^2       Ai, Chen, Rotter & Ooi (2011), model C
+//   AiRolling     k_r = 9/4 k_n (mu_r R*)^2       Ai et al. (2011), model C
 //   ShearRolling  k_r = k_s R*^2                  Iwashita & Oda (1998); PFC's rolling resistance linear model
 //   GivenRolling  k_r                             a given stiffness
 //
-// The dashpot ends where the spring yields (Ai et al.: f = 0). Their inertia about the contact point is m* R*^2 here, so that alpha_r
+// J. Ai, J.-F. Chen, J. M. Rotter & J. Y. Ooi (2011), Assessment of rolling resistance models in discrete element simulations, Powder
+// Technology 206; K. Iwashita & M. Oda (1998), Rolling resistance at contacts in simulation of shear band development by DEM, J. Eng.
+// Mech. 124. The dashpot ends where the spring yields (Ai et al.: f = 0). Their inertia about the contact point is m* R*^2 here, so that alpha_r
 // is counted as alpha of Dashpots: 2 is critical where the moment of inertia is m* R*^2.
 // Domain: any step. History: three values. Error of one step: as RollingSpring.
 #pragma once

@@ -3,7 +3,8 @@
 //
 //   M = -mu_r R* P w_r / |w_r|      w_r = w - (w.n) n,   w = w2 - w1;   M acts on body 2, and is 0 at rest
 //
-// Ai, Chen, Rotter & Ooi (2011), model A; LIGGGHTS cdt. It has no static solution: at rest it bears no couple, and a ball that has
+// J. Ai, J.-F. Chen, J. M. Rotter & J. Y. Ooi (2011), Assessment of rolling resistance models in discrete element simulations, Powder
+// Technology 206, model A; LIGGGHTS cdt. It has no static solution: at rest it bears no couple, and a ball that has
 // stopped is driven to and fro by mu_r R* P dt / I from step to step. Take RollingSpring where grains come to rest.
 // A ball that rolls on a plane at v0 stops after v0 / (5/7 mu_r g). Twisting (w.n) is free. Domain: any step; mu_r >= 0.
 // No history. Error: 4 ULP of the couple (tests/laws/test_rolling_laws.cpp).

@@ -19,12 +19,15 @@
 // direction the chain is exact while the corners suffice: a reversal adds one, and so does a step that raises the load faster than
 // friction can follow. Two rules are ours:
 //
-//   1. Where a corner more is needed, the one that bears least is dropped. The springs inside it take over its force; where
-//      that raises the energy, all deflections are scaled back to it. So no closed loop gains energy.
+//   1. Where a corner more is needed, the one that bears least is dropped; a new one counts as if it had grown to the midst of
+//      its line, so that small steps do not drop each its own. The springs inside it take over its force; where that raises the
+//      energy, all deflections are scaled back to it. So no closed loop gains energy. (The work of a step in which a corner is
+//      dropped is not linear in the slip: on loops of few large steps the trapezoidal rule shows up to 0.2 % of the shear energy.)
 //   2. In three dimensions a corner that slips keeps the direction of its own deflection, and one is added where slipping ends.
 //
 // Four corners are off a row of 1000 separate springs by 1e-6 of mu P in one direction until one is dropped, then by 0.8 %,
-// and by 5 % in the plane, at most on random walks of 12 moves; 48 corners by 0.4 % in the plane.
+// and by 5 % in the plane, at most on random walks of 12 moves; 48 corners by 0.4 % in the plane. Where load and slip change together
+// along smooth curves, every step would add a corner: four are then off by 1.6 % of the largest mu P, twelve by 0.1 %, at any step.
 //
 // Domain: laws that push, any step. Exact beside Hertz without dashpots; beside other laws the springs keep Hertz's places,
 // and m changes with P. A contact that touches and slips in the same step has sheared its springs by 0 to ds: F = 2/3 k ds.

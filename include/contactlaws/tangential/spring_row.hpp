@@ -134,6 +134,12 @@ struct SpringRow {
     return all;
   }
 
+  /// Mean over the row of a bend of one at a point between two others [1].
+  CONTACTLAWS_HD static T weight_of_bend(const Point& outer, const Point& at, const Point& inner,
+                                         const T& overlap) noexcept {
+    const Line before = line(outer, at, overlap), behind = line(at, inner, overlap);
+    return before.width * before.share + behind.width * T(T(1) - behind.share);
+  }
   /// Drops the point that bears least of the inmost `count`; what it bore, the springs inside it bear.
   template <int count>
   CONTACTLAWS_HD static void drop(Chain& chain, const T& slope, const T& overlap) noexcept {
@@ -149,12 +155,20 @@ struct SpringRow {
       const T span = inner.depth - outer.depth;
       const T way = i == inmost ? T(0) : T(T(at.depth - outer.depth) / select<T>(span > T(0), span, T(1)));
       const Vec3<T> off = at.slip - (outer.slip + (inner.slip - outer.slip) * way);
-      const Line before = line(outer, at, overlap), behind = line(at, inner, overlap);
-      const T weight = before.width * before.share + behind.width * T(T(1) - behind.share);
+      const T weight = weight_of_bend(outer, at, inner, overlap);
       // What only roundings put off the line is on it: of equal points the outmost goes, whatever the precision.
       const T length = norm<T>(off);
       const T rounding = roundings * (norm<T>(at.slip) + norm<T>(outer.slip) + norm<T>(inner.slip));
-      const T cost = select<T>(length <= rounding, T(0), T(length * weight));
+      const Mask<T> bends = negate<T>(length <= rounding);
+      T cost = select<T>(bends, T(length * weight), T(0));
+      if (i == first) {
+        // A new point near the edge bears nothing yet, and steps that are small enough would each drop theirs again: it counts as
+        // the same bend in the midst of its line.
+        const Mask<T> near = bends && way > T(0) && way < T(T(1) / T(2));
+        const T bend = length / (T(4) * select<T>(near, T(way * (T(1) - way)), T(1)));
+        const Point midst{T(outer.depth + span / T(2)), at.slip};
+        cost = select<T>(near, T(bend * weight_of_bend(outer, midst, inner, overlap)), cost);
+      }
       // The inmost goes only where it is like the one before it.
       const Mask<T> better = i == first    ? Mask<T>(true)
                              : i == inmost ? Mask<T>(least > T(0) && cost <= T(0))

@@ -212,6 +212,30 @@ class Numbers(InTemporaryDirectory):
         loaded = limit / stiffness
         self.assert_close(rows[-1]["dissipated_energy"], limit * (0.8 - loaded), 1e-2)
 
+    def test_rolling_stiffness(self):
+        """k_r = ratio k_n R*^2 (Iwashita & Oda 1998) or as given; a dashpot alpha_r sqrt(m* R*^2 k_r) beside it."""
+        rolling = '[normal]\nlaw = "linear"\nstiffness = 1e6\n[rolling]\nlaw = "{}"\nrolling_friction = 0.1\n{}'
+        spin = HEADER.replace("\n", ",wx,wy,wz\n") + "1e-6,1e-4,0,0,1,0,0,0,0,2,7\n"
+        for law, key, stiffness in (("spring_dashpot", "", 9 / 4 * 1e6 * (0.1 * 3e-3) ** 2),
+                                    ("spring_dashpot_of_shear", "stiffness_ratio = 0.6\n", 0.6e6 * 3e-3**2),
+                                    ("spring_dashpot_given", "rolling_stiffness = 7\n", 7)):
+            row = self.drive(rolling.format(law, "rolling_damping = 0.02\n" + key) + PAIR, spin)[0]
+            self.assert_close(row["my"], -stiffness * 2e-6 - 2 * 0.02 * 3e-3 * math.sqrt(1e-3 * stiffness), 1e-12)
+            self.assertEqual(row["mz"], "0")
+
+    def test_twisting(self):
+        """Within the limit -k_t w dt - c_t w; beside Hertz k_t = 4 G* a^3 and c_t = alpha_t a^2/2 sqrt(8 G* a m*)."""
+        spin = HEADER.replace("\n", ",wx,wy,wz\n") + "1e-6,1e-4,0,0,1,0,0,0,3,2,7\n"
+        given = 'twisting_given"\ntwisting_stiffness = 9\ntwisting_reach = 0.1\ntwisting_viscosity = 2e-6\n'
+        row = self.drive(HERTZ + f'[rolling]\nlaw = "{given}' + PAIR, spin)[0]
+        self.assert_close(row["mz"], -9 * 7e-6 - 2e-6 * 7, 1e-12)
+        self.assertEqual({float(row["mx"]), float(row["my"])}, {0})
+        marshall = 'twisting"\ntwisting_friction = 0.4\ntwisting_damping = 1e-3\n'
+        row = self.drive(HERTZ + f'[rolling]\nlaw = "{marshall}' + PAIR, spin)[0]
+        a, shear = math.sqrt(3e-3 * 1e-4), 3e9
+        damping = 1e-3 * a**2 / 2 * math.sqrt(8 * shear * a * 1e-3)
+        self.assert_close(row["mz"], -4 * shear * a**3 * 7e-6 - damping * 7, 1e-12)
+
     def test_adhesion(self):
         """DMT: Hertz less 2 pi w R*."""
         law = '[normal]\nlaw = "dmt"\nwork_of_adhesion = 10\n' + PAIR
