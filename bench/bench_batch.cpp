@@ -41,7 +41,7 @@ void one_by_one(benchmark::State& run, const Law& law, std::size_t contacts, con
     stored.push_back({c.pair.cast<T>(), c.there.cast<T>(), first_state<Law>(c), Vec3<T>(T(0), T(0), T(0))});
   for (auto _ : run) {
     for (Stored<Law>& s : stored) {
-      const auto step = law.step(s.pair, s.kinematics, s.state);
+      auto step = law.step(s.pair, s.kinematics, s.state);
       s.state = step.state;
       s.force = step.force;
       s.kinematics.dt = -s.kinematics.dt;
@@ -82,6 +82,9 @@ void triad(benchmark::State& run) {
   count(run, n, 3 * sizeof(double));
 }
 
+template <class Shear, class Rolling = NoRolling<double>>
+using With = ContactLaw<Hertz<double>, Dashpots<double>, Shear, Dry<double>, Rolling>;
+
 template <class Law>
 void add(const std::string& name, const Law& law, const Mix& mix) {
   const auto with = [&mix](auto measure, const auto& a_law, std::size_t contacts) {
@@ -116,6 +119,15 @@ int main(int argc, char** argv) {
   add("Hill/resting", granite<Hill<double>>(), resting);
   add("Jkr", granite<ContactLaw<Jkr<double>>>(), mix);
   add("Jkr+Dashpots+ShearForce", granite<ContactLaw<Jkr<double>, Dashpots<double>, ShearForce<double>>>(), mix);
+  add("Dmt", granite<ContactLaw<Dmt<double>>>(), mix);
+  add("PlasticGrains", granite<PlasticGrains<double>>(), mix);
+  add("LinearHysteretic", granite<ContactLaw<LinearHysteretic<double>>>(), mix);
+  add("DryHill/partial_slip", granite<With<MindlinDeresiewicz<double>>>(), mix);
+  add("DryHill/rolling_spring", granite<With<ShearForce<double>, RollingSpring<double>>>(), mix);
+  add("DryHill/roll_and_twist",
+      granite<With<ShearForce<double>,
+                   RollAndTwist<double, RollingSpringDashpot<double>, TwistingSpringDashpot<double>>>>(),
+      mix);
   add("CohesivePowder", granite<CohesivePowder<double>>(), mix);
   add("WetGrains", granite<WetGrains<double>>(), mix);
   add("WetGrains/willett", granite<WetGrains<double, WillettClosed>>(), mix);

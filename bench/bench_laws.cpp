@@ -28,7 +28,7 @@ void step_each(benchmark::State& run, const Law& law, const Mix& mix) {
   bool even = true;
   for (auto _ : run) {
     for (Stored<Law>& s : stored) {
-      const auto step = law.step(s.pair, even ? s.there : s.back, s.state);
+      auto step = law.step(s.pair, even ? s.there : s.back, s.state);
       s.state = step.state;
       s.force = step.force;
       sliding += step.sliding;
@@ -52,6 +52,8 @@ void add(const char* name, const Law& law, const Mix& mix = {}) {
 
 template <class Shear>
 using Damped = ContactLaw<Hertz<double>, Dashpots<double>, Shear>;
+template <class Rolling>
+using Rolled = ContactLaw<Hertz<double>, Dashpots<double>, ShearForce<double>, Dry<double>, Rolling>;
 using Mi = Mindlin<double>;
 
 }  // namespace
@@ -65,6 +67,10 @@ int main(int argc, char** argv) {
   add("Hill", granite<Hill<double>>(), {0.05, 0.05, 0.5});
   add("WetGrains", granite<WetGrains<double>>(), {0.05, 0.05, 1.0});
   add("RoughBallast", granite<RoughBallast<double>>());
+  add("PlasticGrains", granite<PlasticGrains<double>>());
+  add("LinearHysteretic", granite<ContactLaw<LinearHysteretic<double>>>());
+  add("Dmt", granite<ContactLaw<Dmt<double>>>());
+  add("Jkr", granite<ContactLaw<Jkr<double>>>());
   add("Jkr+Dashpots+ShearForce", granite<ContactLaw<Jkr<double>, Dashpots<double>, ShearForce<double>>>());
   add("CohesivePowder", granite<CohesivePowder<double>>());
   add("Hertz+Dashpots", granite<ContactLaw<Hertz<double>, Dashpots<double>>>());
@@ -77,6 +83,13 @@ int main(int argc, char** argv) {
   add("DryHill/force_rescaled", granite<Damped<ShearForceRescaled<double>>>());
   add("DryHill/displacement", granite<Damped<ShearDisplacement<double>>>());
   add("DryHill/displacement_rescaled", granite<Damped<ShearDisplacementRescaled<double>>>());
+  add("DryHill/partial_slip", granite<Damped<MindlinDeresiewicz<double>>>());
+  add("DryHill/rolling_torque", granite<Rolled<RollingTorque<double>>>());
+  add("DryHill/rolling_spring", granite<Rolled<RollingSpring<double>>>());
+  add("DryHill/rolling_spring_dashpot", granite<Rolled<RollingSpringDashpot<double>>>());
+  add("DryHill/twisting_spring_dashpot", granite<Rolled<TwistingSpringDashpot<double>>>());
+  add("DryHill/roll_and_twist",
+      granite<Rolled<RollAndTwist<double, RollingSpringDashpot<double>, TwistingSpringDashpot<double>>>>());
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

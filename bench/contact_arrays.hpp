@@ -16,8 +16,8 @@ template <class Law>
 constexpr std::size_t bytes_per_contact() {
   constexpr std::size_t pair = 1 + (decltype(Law::damping)::acts ? 1 : 0) + (decltype(Law::bridge)::acts ? 1 : 0);
   constexpr std::size_t motion = decltype(Law::shear)::acts || decltype(Law::damping)::acts ? 7 : 4;
-  constexpr std::size_t couple = decltype(Law::rolling)::acts ? 3 : 0;
-  return (pair + motion + 2 * Law::state_size + 3 + couple) * sizeof(typename Law::Scalar);
+  constexpr std::size_t spin_and_couple = decltype(Law::rolling)::acts ? 6 : 0;
+  return (pair + motion + 2 * Law::state_size + 3 + spin_and_couple) * sizeof(typename Law::Scalar);
 }
 
 template <class Law, class Array = std::vector<typename Law::Scalar>>
@@ -41,6 +41,7 @@ class ContactArrays {
       there_.push_back(column([axis](const Contact& c) { return c.there.normal[axis]; }));
       back_.push_back(column([axis](const Contact& c) { return c.back.normal[axis]; }));
       velocity_.push_back(column([axis](const Contact& c) { return c.there.velocity[axis]; }));
+      spin_.push_back(column([axis](const Contact& c) { return c.there.relative_spin[axis]; }));
       force_.emplace_back(contacts.size(), T(0));
       couple_.emplace_back(contacts.size(), T(0));
     }
@@ -66,6 +67,7 @@ class ContactArrays {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       b.normal[axis] = (forwards ? there_ : back_)[axis].data();
       b.velocity[axis] = velocity_[axis].data();
+      b.relative_spin[axis] = spin_[axis].data();
       b.force[axis] = force_[axis].data();
       b.couple[axis] = couple_[axis].data();
     }
@@ -75,7 +77,7 @@ class ContactArrays {
 
  private:
   Array radius_, mass_, smaller_radius_, length_, overlap_;
-  std::vector<Array> there_, back_, velocity_, force_, couple_, state_;
+  std::vector<Array> there_, back_, velocity_, spin_, force_, couple_, state_;
   T young_, shear_, dt_;
 };
 

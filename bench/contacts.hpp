@@ -3,7 +3,8 @@
 //
 //   granite spheres of 2 to 10 mm radius (log-uniform), normals over the sphere, overlaps up to 3e-5 m (half normal, 1e-5)
 //   every second pass each contact moves back: its velocity reversed, its normal turned by 1e-4 rad if the mix turns
-//   by default 5 % of the contacts slide, none is open or bridged, and normals rest; a Mix says otherwise
+//   by default 5 % of the contacts slide, roll and twist at the limit of friction, none is open or bridged, and normals rest; a Mix says
+//   otherwise
 #pragma once
 
 #include <cmath>
@@ -53,7 +54,12 @@ inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}
     const Vec3<double> velocity = sideways * (overlap * (slides ? 1e7 : 1e2)) + n * (overlap * 1e2);
     const Vec3<double> turned = unit(Vec3<double>(n + mix.turn * sideways));
     const double dt = 1e-7;
-    contacts.push_back({pair, {n, overlap, velocity, dt}, {turned, overlap, -velocity, dt}, uniform(random) < mix.wet});
+    // Slow contacts roll and twist within what friction bears, fast ones beyond it.
+    const Vec3<double> spin = (unit(n.cross(sideways)) + n) * (10.0 * norm<double>(velocity) / pair.effective_radius);
+    contacts.push_back({pair,
+                        {n, overlap, velocity, dt, 0.0, spin},
+                        {turned, overlap, -velocity, dt, 0.0, -spin},
+                        uniform(random) < mix.wet});
   }
   return contacts;
 }
@@ -76,6 +82,22 @@ void for_bridge(CapillaryBridge<double, ForceRule, wets>& bridge) {
   bridge = CapillaryBridge<double, ForceRule, wets>::of(0.072, 0.35, 1e-10);
 }
 
+inline void for_rolling(RollingSpring<double>& law) { law.rolling_friction = 0.1; }
+inline void for_rolling(RollingTorque<double>& law) { law.rolling_friction = 0.1; }
+inline void for_rolling(RollingSpringDashpot<double>& law) {
+  law.rolling_friction = 0.1;
+  law.rolling_damping = 0.3;
+}
+inline void for_rolling(TwistingSpringDashpot<double>& law) {
+  law.twisting_friction = 0.4;
+  law.twisting_damping = 0.07;
+}
+template <class Rolling, class Twisting>
+void for_rolling(RollAndTwist<double, Rolling, Twisting>& law) {
+  for_rolling(static_cast<Rolling&>(law));
+  for_rolling(static_cast<Twisting&>(law));
+}
+
 /// Any composition, with the memo's granite for its parameters (and the paper's ballast where it is rough).
 template <class Law>
 Law granite() {
@@ -84,11 +106,19 @@ Law granite() {
   if constexpr (std::is_same_v<Normal, LinearModulus<double>>) law.normal.modulus = 29e9;
   if constexpr (std::is_same_v<Normal, LinearSpring<double>>) law.normal.normal_stiffness = 1e7;
   if constexpr (std::is_base_of_v<RoughProfile<double>, Normal>) law.normal = Normal::of({2.13, 26.1e-6});
-  if constexpr (std::is_same_v<Normal, Jkr<double>>) law.normal.work_of_adhesion = 0.1;
+  if constexpr (std::is_same_v<Normal, Jkr<double>> || std::is_same_v<Normal, Dmt<double>>)
+    law.normal.work_of_adhesion = 0.1;
+  if constexpr (std::is_same_v<Normal, LinearHysteretic<double>>) {
+    law.normal.loading_stiffness = 1e7;
+    law.normal.unloading_stiffness = 2e7;
+    law.normal.cohesive_stiffness = 1e6;
+    law.normal.plastic_depth = 0.05;
+  }
+  if constexpr (std::is_same_v<Normal, ThorntonNing<double>>) law.normal.yield_pressure = 500e6;
   if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = 0.07;
   if constexpr (decltype(Law::shear)::acts) law.shear.friction = 0.4;
   for_bridge(law.bridge);
-  if constexpr (decltype(Law::rolling)::acts) law.rolling.rolling_friction = 0.1;
+  if constexpr (decltype(Law::rolling)::acts) for_rolling(law.rolling);
   return checked(law);
 }
 

@@ -40,6 +40,9 @@ constexpr Entry laws[] = {{"SmoothHertz", pass<SmoothHertz<double>>},
                           {"LinearSpringDashpot", pass<LinearSpringDashpot<double>>},
                           {"DryHill", pass<DryHill<double>>},
                           {"Hill", pass<Hill<double>>},
+                          {"WetGrains", pass<WetGrains<double>>},
+                          {"CohesivePowder", pass<CohesivePowder<double>>},
+                          {"PlasticGrains", pass<PlasticGrains<double>>},
                           {"RoughBallast", pass<RoughBallast<double>>}};
 
 }  // namespace
