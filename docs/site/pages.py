@@ -272,7 +272,7 @@ def write_laws(data, out):
         else:
             text += "No row in @ref md_docs_parameters_elsewhere.\n"
         (out / "pages" / (law_id(header) + ".md")).write_text(text)
-        index[slot].append((law_id(header), ", ".join(types), head[0].rstrip(":")))
+        index[slot].append((law_id(header), ", ".join(types), re.split(r"[:;]|\. ", " ".join(head))[0]))
 
     text = "# Laws {#laws}\n\nA law is composed of five slots; @ref md_docs_choose says which to take.\n"
     for slot, pages in index.items():
