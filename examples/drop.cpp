@@ -3,7 +3,7 @@
 //
 //   drop FOLDER [--balls 100] [--time 0.5]
 //
-// Writes FOLDER/balls_0000.vtk, balls_0001.vtk, ... (in ParaView: Glyph, type Sphere, scaled by diameter) and FOLDER/drop.csv.
+// Writes FOLDER/balls.pvd and contacts.pvd for ParaView (docs/paraview.md), with a .vtp file a frame, and FOLDER/drop.csv.
 // Exit status: 0, 2 on a fault, 130 after Ctrl-C. After a fault or Ctrl-C the files of an earlier run are unchanged.
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include "common/program.hpp"
 #include "common/progress.hpp"
 #include "common/table.hpp"
+#include "common/vtk.hpp"
 #include "contactlaws/laws.hpp"
 
 namespace {
@@ -43,7 +44,7 @@ struct Wall {
 struct Contact {
   std::size_t first, second;  // indices of two balls, or of a wall and a ball
   PairProperties<double> pair;
-  Law::State state;
+  Step<double, Law::State> step;  // the last one
 };
 struct Scene {
   Law law;
@@ -57,7 +58,7 @@ struct Scene {
 /// Lists the pairs of balls with a gap below the skin; every pair is tried. A pair that was listed before keeps its state.
 void list_neighbours(Scene& scene) {
   std::map<std::pair<std::size_t, std::size_t>, Law::State> states;
-  for (const Contact& contact : scene.ball_contacts) states[{contact.first, contact.second}] = contact.state;
+  for (const Contact& contact : scene.ball_contacts) states[{contact.first, contact.second}] = contact.step.state;
   scene.ball_contacts.clear();
   for (std::size_t i = 0; i < scene.balls.size(); ++i) {
     Ball& one = scene.balls[i];
@@ -65,8 +66,10 @@ void list_neighbours(Scene& scene) {
     for (std::size_t j = i + 1; j < scene.balls.size(); ++j) {
       const Ball& two = scene.balls[j];
       const double distance = (two.motion.position - one.motion.position).norm();
-      if (distance - one.body.radius - two.body.radius < skin)
-        scene.ball_contacts.push_back({i, j, pair_properties(one.body, two.body), states[{i, j}]});
+      if (distance - one.body.radius - two.body.radius < skin) {
+        scene.ball_contacts.push_back({i, j, pair_properties(one.body, two.body), {}});
+        scene.ball_contacts.back().step.state = states[{i, j}];
+      }
     }
   }
 }
@@ -81,10 +84,9 @@ void compute_forces(Scene& scene, double dt) {
   scene.stored_energy = 0.0;
 
   const auto force_on_second = [&scene](Contact& contact, const ContactKinematics<double>& kinematics) {
-    const auto step = scene.law.step(contact.pair, kinematics, contact.state);
-    contact.state = step.state;
-    scene.stored_energy += scene.law.stored_energy(contact.pair, kinematics.overlap, contact.state);
-    return step.force;
+    contact.step = scene.law.step(contact.pair, kinematics, contact.step.state);
+    scene.stored_energy += scene.law.stored_energy(contact.pair, kinematics.overlap, contact.step.state);
+    return contact.step.force;
   };
   for (Contact& contact : scene.ball_contacts) {
     Ball &one = scene.balls[contact.first], &two = scene.balls[contact.second];
@@ -177,15 +179,42 @@ double energy_of(const Scene& scene) {
   return energy;
 }
 
-/// A legacy VTK file.
-void write_vtk(std::ostream& out, const std::vector<Ball>& balls) {
-  out << "# vtk DataFile Version 3.0\nballs [m], [m/s]\nASCII\nDATASET POLYDATA\n";
-  out << "POINTS " << balls.size() << " double\n";
-  for (const Ball& ball : balls) out << ball.motion.position.transpose() << '\n';
-  out << "POINT_DATA " << balls.size() << "\nSCALARS diameter double 1\nLOOKUP_TABLE default\n";
-  for (const Ball& ball : balls) out << 2.0 * ball.body.radius << '\n';
-  out << "VECTORS velocity double\n";
-  for (const Ball& ball : balls) out << ball.motion.velocity.transpose() << '\n';
+common::VtkData balls_for_vtk(const Scene& scene) {
+  common::VtkData data;
+  auto& diameter = data.scalars["diameter"];
+  auto &velocity = data.vectors["velocity"], &force = data.vectors["force"];
+  for (const Ball& ball : scene.balls) {
+    data.points.push_back(ball.motion.position);
+    diameter.push_back(2.0 * ball.body.radius);
+    velocity.push_back(ball.motion.velocity);
+    force.push_back(ball.force);
+  }
+  return data;
+}
+
+/// Contacts as lines between two centres, or from a wall to a centre. `force` acts on the body at its end.
+common::VtkData contacts_for_vtk(const Scene& scene) {
+  common::VtkData data;
+  data.shape = common::VtkData::Shape::lines;
+  auto &normal = data.scalars["normal_force"], &shear = data.scalars["shear_force"], &sliding = data.scalars["sliding"];
+  auto& force = data.vectors["force"];
+  const auto add = [&](const Contact& contact, const Vector& start) {
+    if (!contact.step.active) return;
+    data.points.push_back(start);
+    data.points.push_back(scene.balls[contact.second].motion.position);
+    force.push_back(-contact.step.force);
+    force.push_back(contact.step.force);
+    normal.insert(normal.end(), 2, contact.step.normal_force);
+    shear.insert(shear.end(), 2, contact.step.shear_force.norm());
+    sliding.insert(sliding.end(), 2, contact.step.sliding ? 1.0 : 0.0);
+  };
+  for (const Contact& contact : scene.ball_contacts) add(contact, scene.balls[contact.first].motion.position);
+  for (const Contact& contact : scene.wall_contacts) {
+    const Wall& wall = scene.walls[contact.first];
+    const Vector centre = scene.balls[contact.second].motion.position;
+    add(contact, centre - wall.facing * wall.facing.dot(centre - wall.point));
+  }
+  return data;
 }
 
 int run(const std::string& folder_name, int count, double time) {
@@ -193,6 +222,7 @@ int run(const std::string& folder_name, int count, double time) {
   common::OutputFolder folder(folder_name);
   common::Progress progress("drop");
   common::Table table{"time_s", "energy_J", "fastest_m_per_s", "force_on_box_N"};
+  common::VtkSeries balls, contacts;
   Scene scene = make_scene(count);
   constexpr int frames = 50;
   const int steps = static_cast<int>(std::ceil(time / frames / safe_time_step(scene)));  // from frame to frame
@@ -204,10 +234,15 @@ int run(const std::string& folder_name, int count, double time) {
     double fastest = 0.0;
     for (const Ball& ball : scene.balls) fastest = std::max(fastest, ball.motion.velocity.norm());
     table.add({frame * time / frames, energy_of(scene), fastest, -scene.force_on_walls.z()});
-    const std::string number = std::to_string(10000 + frame).substr(1);
-    write_vtk(folder.file("balls_" + number + ".vtk"), scene.balls);
+    const std::string name = "_" + std::to_string(10000 + frame).substr(1) + ".vtp";
+    balls_for_vtk(scene).write(folder.file("balls" + name));
+    contacts_for_vtk(scene).write(folder.file("contacts" + name));
+    balls.files.emplace_back(frame * time / frames, "balls" + name);
+    contacts.files.emplace_back(frame * time / frames, "contacts" + name);
     progress.at(frame / double(frames));
   }
+  balls.write(folder.file("balls.pvd"));
+  contacts.write(folder.file("contacts.pvd"));
   table.write_csv(folder.file("drop.csv"));
   folder.complete();
   return 0;

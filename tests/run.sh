@@ -1,8 +1,9 @@
 #!/bin/sh
-# Builds and runs the tests, on a fresh Debian or Ubuntu too:  sh tests/run.sh [--all|--hosts]
+# Builds and runs the tests, on a fresh Debian or Ubuntu too:  sh tests/run.sh [--all|--hosts|--docs]
 #
 # --all: what must pass before a change goes in. Also the examples' code, lints, each header alone, the fuzz corpus, packs as
 # wide as this machine has them, consumers' projects, and the sanitizers of a second compiler.
+# --docs: builds the documentation and opens it in a browser, and nothing else.
 # --hosts: the adapters of examples/hosts, each inside its host, and nothing else. A host that cannot be had here is skipped, with a word.
 set -eu
 cd "$(dirname "$0")/.."
@@ -10,15 +11,21 @@ all=OFF
 case ${1:-} in
 '') ;;
 --all) all=ON ;;
---hosts) ;;
+--hosts | --docs) ;;
 *)
-  echo "tests/run.sh: $1 is neither --all nor --hosts" >&2
+  echo "tests/run.sh: $1 is none of --all, --hosts and --docs" >&2
   exit 2
   ;;
 esac
 
 # shellcheck source=cmake/install_packages.sh
 . cmake/install_packages.sh
+if [ "${1:-}" = --docs ]; then
+  sh docs/build.sh
+  (install_packages 'chromium|chromium-browser') || true  # without it the test is skipped, with a word
+  python3 tests/docs/check_site.py || [ $? -eq 77 ]
+  exit 0
+fi
 if [ "${1:-}" = --hosts ]; then
   if ! (install_packages lammps liblammps-dev liggghts libliggghts-dev mpi-default-bin mpi-default-dev g++ gfortran python3 \
     libeigen3-dev libxsimd-dev libtomlplusplus-dev nlohmann-json3-dev); then
@@ -53,7 +60,8 @@ fi
 install_packages g++ make cmake pkg-config python3 python3-mpmath libeigen3-dev catch2 'libboost1.81-dev|libboost-dev' \
   libxsimd-dev nlohmann-json3-dev
 if [ $all = ON ]; then
-  install_packages libtomlplusplus-dev libcli11-dev clang libclang-rt-dev 'clang-format-14|clang-format' 'clang-tidy-14|clang-tidy'
+  install_packages libtomlplusplus-dev libcli11-dev clang libclang-rt-dev 'clang-format-14|clang-format' 'clang-tidy-14|clang-tidy' \
+    python3-vtk9
 fi
 
 # build FOLDER PRESET COMPILER LABEL: builds the tests and runs those with the label.

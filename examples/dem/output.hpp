@@ -1,74 +1,86 @@
 // SPDX-License-Identifier: MIT
-// Scenes as legacy VTK files, which ParaView opens. Give streams 17 digits (common::OutputFile does).
+// Scenes for ParaView: balls as points, contacts as lines with data at both ends. docs/paraview.md says how to look at them.
 #pragma once
 
-#include <ostream>
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "common/vtk.hpp"
 #include "simulation.hpp"
 
 namespace dem {
 
-namespace detail {
-
-/// One field of the VTK file: `kind` is "SCALARS name double 1\nLOOKUP_TABLE default" or "VECTORS name double".
-template <class Value>
-void write_field(std::ostream& file, const std::string& kind, std::size_t count, const Value& value) {
-  file << kind << '\n';
-  for (std::size_t i = 0; i < count; ++i) file << value(i) << '\n';
+/// The balls, with radius [m], id, velocity [m/s], spin [rad/s] and force [N].
+inline common::VtkData balls_for_vtk(const Balls& balls) {
+  common::VtkData data;
+  data.points.assign(balls.position.begin(), balls.position.end());
+  data.scalars["radius"] = balls.radius;
+  std::vector<double>& id = data.scalars["id"];
+  for (std::size_t i = 0; i < balls.size(); ++i) id.push_back(static_cast<double>(i));
+  data.vectors["velocity"].assign(balls.velocity.begin(), balls.velocity.end());
+  data.vectors["spin"].assign(balls.spin.begin(), balls.spin.end());
+  data.vectors["force"].assign(balls.force.begin(), balls.force.end());
+  return data;
 }
 
-inline std::string scalars(const std::string& name) { return "SCALARS " + name + " double 1\nLOOKUP_TABLE default"; }
-inline std::string vectors(const std::string& name) { return "VECTORS " + name + " double"; }
+namespace detail {
+
+/// A line for each active contact of `count`, to the centre of body 2 from that of body 1, or from the contact point at a wall.
+/// Both ends have overlap [m], normal force (compression > 0, with the bridge), shear force, the bridge's pull [N], whether it
+/// slides, and the scalars of its history by their names. The vector `force` [N] acts on the body at its end.
+template <class Law, class OutcomeOf, class CentreOf>
+common::VtkData contacts_for_vtk(std::size_t count, bool at_walls, const OutcomeOf& outcome, const CentreOf& centre) {
+  common::VtkData data;
+  data.shape = common::VtkData::Shape::lines;
+  std::vector<Vec3>& force = data.vectors["force"];
+  std::array<std::vector<double>*, 5> numbers{&data.scalars["overlap"], &data.scalars["normal_force"],
+                                              &data.scalars["shear_force"], &data.scalars["bridge_force"],
+                                              &data.scalars["sliding"]};
+  constexpr auto described = Law::state_values();
+  std::vector<std::pair<std::size_t, std::vector<double>*>> history;  // the first value of each name
+  for (std::size_t i = 0; i < Law::state_size; ++i) {
+    if (described[i].kind != contactlaws::ValueKind::scalar) continue;
+    const auto [column, is_new] = data.scalars.try_emplace(described[i].name);
+    if (is_new) history.emplace_back(i, &column->second);
+  }
+
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto contact = outcome(c);
+    const auto& step = contact.response;
+    if (!step.active) continue;
+    const Vec3 end = centre(c), point = end + contact.geometry.arm2;
+    data.points.push_back(at_walls ? point : Vec3(point - contact.geometry.arm1));
+    data.points.push_back(end);
+    force.push_back(-step.force);
+    force.push_back(step.force);
+    const std::array<double, 5> of_step{contact.geometry.overlap, step.normal_force - step.bridge_force,
+                                        step.shear_force.norm(), step.bridge_force, step.sliding ? 1.0 : 0.0};
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i]->insert(numbers[i]->end(), 2, of_step[i]);
+    std::array<double, Law::state_size> state{};
+    Law::store(step.state, state.data());
+    for (const auto& [i, column] : history) column->insert(column->end(), 2, state[i]);
+  }
+  return data;
+}
 
 }  // namespace detail
 
-/// The balls, as points with radius, velocity, spin and force. In ParaView: Glyph, Sphere, scaled by `radius` x 2.
-inline void write_balls_vtk(std::ostream& file, const Balls& balls) {
-  const Eigen::IOFormat in_a_line(17, Eigen::DontAlignCols, " ", " ");
-  const std::size_t count = balls.size();
-  file << "# vtk DataFile Version 3.0\nballs, in m, kg, s\nASCII\nDATASET POLYDATA\nPOINTS " << count << " double\n";
-  for (const Vec3& p : balls.position) file << p.format(in_a_line) << '\n';
-  file << "VERTICES " << count << ' ' << 2 * count << '\n';
-  for (std::size_t i = 0; i < count; ++i) file << "1 " << i << '\n';
-  file << "POINT_DATA " << count << '\n';
-  detail::write_field(file, detail::scalars("radius"), count, [&](std::size_t i) { return balls.radius[i]; });
-  detail::write_field(file, detail::scalars("id"), count, [&](std::size_t i) { return i; });
-  const auto field = [&](const char* name, const std::vector<Row>& values) {
-    detail::write_field(file, detail::vectors(name), count, [&](std::size_t i) { return values[i].format(in_a_line); });
-  };
-  field("velocity", balls.velocity);
-  field("spin", balls.spin);
-  field("force", balls.force);
+/// The active contacts between balls.
+template <class BallLaw, class WallLaw, class BallPack>
+common::VtkData ball_contacts_for_vtk(const Simulation<BallLaw, WallLaw, BallPack>& scene) {
+  return detail::contacts_for_vtk<BallLaw>(
+      scene.ball_contacts.size(), false, [&scene](std::size_t c) { return scene.ball_contact(c); },
+      [&scene](std::size_t c) -> Vec3 { return scene.balls.position[scene.ball_contacts.second(c)]; });
 }
 
-/// The active contacts between balls, as lines from centre to centre with the normal force (tension < 0) and the shear
-/// force [N]. In ParaView: Tube.
-template <class Scene>
-void write_contacts_vtk(std::ostream& file, const Scene& scene) {
-  const Balls& balls = scene.balls;
-  const Eigen::IOFormat in_a_line(17, Eigen::DontAlignCols, " ", " ");
-  std::vector<std::size_t> active;
-  for (std::size_t c = 0; c < scene.ball_contacts.size(); ++c)
-    if (scene.ball_contact(c).response.active) active.push_back(c);
-  const std::size_t count = active.size();
-  file << "# vtk DataFile Version 3.0\ncontacts, in N\nASCII\nDATASET POLYDATA\nPOINTS " << balls.size() << " double\n";
-  for (const Vec3& p : balls.position) file << p.format(in_a_line) << '\n';
-  file << "LINES " << count << ' ' << 3 * count << '\n';
-  for (const std::size_t c : active)
-    file << "2 " << scene.ball_contacts.first(c) << ' ' << scene.ball_contacts.second(c) << '\n';
-  file << "CELL_DATA " << count << '\n';
-  const auto normal_force = [&](std::size_t i) {
-    const auto contact = scene.ball_contact(active[i]);
-    return contact.response.force.dot(contact.geometry.normal);
-  };
-  detail::write_field(file, detail::scalars("normal_force"), count, normal_force);
-  detail::write_field(file, detail::scalars("shear_force"), count, [&](std::size_t i) {
-    const auto contact = scene.ball_contact(active[i]);
-    const Vec3 normal_part = contact.geometry.normal * normal_force(i);
-    return (contact.response.force - normal_part).norm();
-  });
+/// The active contacts of balls at walls.
+template <class BallLaw, class WallLaw, class BallPack>
+common::VtkData wall_contacts_for_vtk(const Simulation<BallLaw, WallLaw, BallPack>& scene) {
+  return detail::contacts_for_vtk<WallLaw>(
+      scene.wall_contacts.size(), true, [&scene](std::size_t c) { return scene.wall_contact(c); },
+      [&scene](std::size_t c) -> Vec3 { return scene.balls.position[scene.wall_contacts.second(c)]; });
 }
 
 }  // namespace dem

@@ -12,13 +12,13 @@
 
 namespace memo {
 
-/// Writes NAME.csv and NAME.vtk.
+/// Writes NAME.csv and NAME.vtp.
 inline void write_grains(OutputFolder& folder, const std::string& name, const dem::Balls& balls) {
   Table grains{"x_m", "y_m", "z_m", "radius_m"};
   for (std::size_t i = 0; i < balls.size(); ++i)
     grains.add({balls.position[i].x(), balls.position[i].y(), balls.position[i].z(), balls.radius[i]});
   grains.write_csv(folder.file(name + ".csv"));
-  dem::write_balls_vtk(folder.file(name + ".vtk"), balls);
+  dem::balls_for_vtk(balls).write(folder.file(name + ".vtp"));
 }
 
 inline void grain_assembly(OutputFolder& folder, CheckedNumbers& numbers) {
@@ -44,7 +44,8 @@ inline void grain_assembly(OutputFolder& folder, CheckedNumbers& numbers) {
   });
   history.write_csv(folder.file("assembly_history.csv"));
   write_grains(folder, "assembly_after", scene.balls);
-  dem::write_contacts_vtk(folder.file("assembly_contacts.vtk"), scene);
+  dem::ball_contacts_for_vtk(scene).write(folder.file("assembly_contacts.vtp"));
+  dem::wall_contacts_for_vtk(scene).write(folder.file("assembly_wall_contacts.vtp"));
   numbers.push_back(
       {"grain_assembly.bottom_wall_force", "N", 0.368, expected::assembly_weight, bottom.force.norm(), equilibrium});
 }

@@ -30,13 +30,16 @@ template <class T>
 class Column {
  public:
   // NOLINTBEGIN: implicit. A number serves all contacts (0 is a number, not a null array); an array has one a contact.
+  /// The same number for all contacts.
   CONTACTLAWS_HD Column(const T& same = T(0)) noexcept : array_(nullptr), same_(same) {}
+  /// The same, so that 0 is a number and no null array.
   CONTACTLAWS_HD Column(int same) noexcept : Column(T(same)) {}
+  /// One value a contact.
   CONTACTLAWS_HD Column(const T* array) noexcept : array_(array), same_(T(0)) {}
   // NOLINTEND
 
   CONTACTLAWS_HD const T* array() const noexcept { return array_; }  ///< null where one number serves all
-  CONTACTLAWS_HD const T& same() const noexcept { return same_; }
+  CONTACTLAWS_HD const T& same() const noexcept { return same_; }    ///< the number that serves all
 
  private:
   const T* array_;
@@ -48,7 +51,7 @@ template <class Law>
 struct ContactBatch {
   using T = typename Law::Scalar;
 
-  std::size_t count = 0;
+  std::size_t count = 0;                          ///< of contacts
   PairProperties<Column<T>> pair;                 ///< see PairProperties
   std::array<Column<T>, 3> normal;                ///< see ContactKinematics
   Column<T> overlap;                              ///< [m]
@@ -65,8 +68,8 @@ struct ContactBatch {
 /// What a law needs of a contact, or of a pack of contacts.
 template <class T>
 struct ContactInput {
-  PairProperties<T> pair;
-  ContactKinematics<T> kinematics;
+  PairProperties<T> pair;           ///< of the two bodies
+  ContactKinematics<T> kinematics;  ///< over the step
 };
 
 /// The contacts of one pack: number `first` and those that follow it. `full`: every lane has a contact of its own; otherwise the
@@ -78,14 +81,15 @@ class PackRange {
   using Lane = typename Traits::Lane;
   static constexpr std::size_t lanes = Traits::lanes;
 
+  /// Contacts `first` to before `first + count`.
   CONTACTLAWS_HD PackRange(std::size_t first, std::size_t count) noexcept : first_(first), count_(count) {}
 
   /// The number of the contact in a lane.
   CONTACTLAWS_HD std::size_t operator[](std::size_t lane) const noexcept {
     return first_ + (full || lane < count_ ? lane : count_ - 1);
   }
-  CONTACTLAWS_HD std::size_t first() const noexcept { return first_; }
-  CONTACTLAWS_HD std::size_t count() const noexcept { return full ? lanes : count_; }
+  CONTACTLAWS_HD std::size_t first() const noexcept { return first_; }                 ///< number of the first contact
+  CONTACTLAWS_HD std::size_t count() const noexcept { return full ? lanes : count_; }  ///< of contacts
 
   /// From and to an array with one value a contact.
   CONTACTLAWS_HD Pack load(const Lane* values) const noexcept {
@@ -97,6 +101,7 @@ class PackRange {
       return Traits::load(filled.data());
     }
   }
+  /// To an array with one value a contact.
   CONTACTLAWS_HD void store(Lane* values, const Pack& x) const noexcept {
     if constexpr (full) {
       Traits::store(values + first_, x);
@@ -106,6 +111,7 @@ class PackRange {
       for (std::size_t i = 0; i < count_; ++i) values[first_ + i] = filled[i];
     }
   }
+  /// From a column.
   CONTACTLAWS_HD Pack load(const Column<Lane>& column) const noexcept {
     return column.array() != nullptr ? load(column.array()) : Pack(column.same());
   }

@@ -49,11 +49,11 @@ struct ContactLaw {
                 "this shear stiffness needs a normal law with a contact radius (Mindlin beside Hertz); "
                 "beside others take ConstantRatio or ElasticRatio; partial slip is not for laws that pull");
 
-  Normal normal = Normal();
-  Damping damping = Damping();
-  Shear shear = Shear();
-  Bridge bridge = Bridge();
-  Rolling rolling = Rolling();
+  Normal normal = Normal();     ///< slot 1
+  Damping damping = Damping();  ///< slot 2
+  Shear shear = Shear();        ///< slot 3
+  Bridge bridge = Bridge();     ///< slot 4
+  Rolling rolling = Rolling();  ///< slot 5
 
   /// Whether the normal law may pull.
   static constexpr bool adheres = detail::adheres<Normal>;
@@ -69,7 +69,7 @@ struct ContactLaw {
     return concatenate(concatenate(concatenate(Normal::state_values(), Shear::state_values()), Bridge::state_values()),
                        Rolling::state_values());
   }
-  static constexpr std::size_t state_size = state_values().size();
+  static constexpr std::size_t state_size = state_values().size();  ///< values of T a contact
   static_assert(state_size == 0 || sizeof(State) == state_size * sizeof(T), "a State holds values of T only");
 
   /// Factor of value i of the state when bodies 1 and 2 are swapped.
@@ -166,8 +166,8 @@ struct ContactLaw {
     Bridge::make_dry(state);
   }
 
-  auto slots() const { return std::tie(normal, damping, shear, bridge, rolling); }
-  auto slots() { return std::tie(normal, damping, shear, bridge, rolling); }
+  auto slots() const { return std::tie(normal, damping, shear, bridge, rolling); }  ///< all five
+  auto slots() { return std::tie(normal, damping, shear, bridge, rolling); }        ///< all five
 
   /// The same law on another scalar: float, a pack, a number of 200 bits.
   template <class U>

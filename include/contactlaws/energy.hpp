@@ -13,7 +13,7 @@ namespace contactlaws {
 template <class T>
 struct Dissipation {
   T friction;  ///< sliding and rolling
-  T dashpots;
+  T dashpots;  ///< normal, shear and rolling
   T yielding;  ///< flattened asperities
 };
 

@@ -50,10 +50,10 @@ struct BodyMotion {
 /// The geometry of a contact: normal, overlap, and the arms from the two centres to the contact point.
 template <class T>
 struct ContactGeometry {
-  Vec3<T> normal;
-  T overlap;     ///< [m]
-  Vec3<T> arm1;  ///< from body 1's centre to the contact point [m]
-  Vec3<T> arm2;  ///< from body 2's centre to the contact point [m]
+  Vec3<T> normal;  ///< unit normal from body 1 to body 2
+  T overlap;       ///< [m]
+  Vec3<T> arm1;    ///< from body 1's centre to the contact point [m]
+  Vec3<T> arm2;    ///< from body 2's centre to the contact point [m]
 };
 
 /// Two spheres. The centres must differ.
@@ -139,9 +139,10 @@ CONTACTLAWS_HD SphereContact<T> sphere_contact(const T* x1, const T* v1, const T
 /// The torques about the two centres of a force and a couple on body 2 [N m].
 template <class T>
 struct Torques {
-  Vec3<T> on1;
-  Vec3<T> on2;
+  Vec3<T> on1;  ///< on body 1
+  Vec3<T> on2;  ///< on body 2
 };
+/// The torques of a force and a couple on body 2.
 template <class T>
 CONTACTLAWS_HD Torques<T> torques(const SphereContact<T>& contact, const Vec3<T>& force,
                                   const Vec3<T>& couple) noexcept {

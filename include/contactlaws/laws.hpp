@@ -194,11 +194,13 @@ struct CohesivePowderProperties {
   }
 };
 
+/// Makes SmoothHertz.
 template <class T>
 SmoothHertz<T> smooth_hertz() {
   return {};
 }
 
+/// Makes DryHill. @throws std::invalid_argument on a parameter out of its range
 template <Tension tension = Tension::allowed, class T>
 DryHill<T, tension> dry_hill(const DryHillProperties<T>& properties) {
   DryHill<T, tension> law;
@@ -207,6 +209,7 @@ DryHill<T, tension> dry_hill(const DryHillProperties<T>& properties) {
   return checked(law);
 }
 
+/// Makes Hill. @throws std::invalid_argument on a parameter out of its range
 template <Tension tension = Tension::allowed, class T>
 Hill<T, tension> hill(const HillProperties<T>& properties) {
   Hill<T, tension> law;
@@ -216,6 +219,7 @@ Hill<T, tension> hill(const HillProperties<T>& properties) {
   return checked(law);
 }
 
+/// Makes WetGrains. @throws std::invalid_argument on a parameter out of its range
 template <template <class> class ForceRule = YoungLaplace, Wets wets = Wets::at_touch, class T>
 WetGrains<T, ForceRule, wets> wet_grains(const WetGrainsProperties<T>& properties) {
   WetGrains<T, ForceRule, wets> law;
@@ -229,6 +233,7 @@ WetGrains<T, ForceRule, wets> wet_grains(const WetGrainsProperties<T>& propertie
   return law;
 }
 
+/// Makes LinearFriction. @throws std::invalid_argument on a parameter out of its range
 template <class T>
 LinearFriction<T> linear_friction(const LinearFrictionProperties<T>& properties) {
   LinearFriction<T> law;
@@ -238,6 +243,7 @@ LinearFriction<T> linear_friction(const LinearFrictionProperties<T>& properties)
   return checked(law);
 }
 
+/// Makes LinearSpringDashpot. @throws std::invalid_argument on a parameter out of its range
 template <Tension tension = Tension::allowed, class T>
 LinearSpringDashpot<T, tension> linear_spring_dashpot(const LinearSpringDashpotProperties<T>& properties) {
   LinearSpringDashpot<T, tension> law;
@@ -248,6 +254,7 @@ LinearSpringDashpot<T, tension> linear_spring_dashpot(const LinearSpringDashpotP
   return checked(law);
 }
 
+/// Makes RoughBallast. @throws std::invalid_argument on a parameter out of its range
 template <class T>
 RoughBallast<T> rough_ballast(const RoughBallastProperties<T>& properties) {
   RoughBallast<T> law;
@@ -257,6 +264,7 @@ RoughBallast<T> rough_ballast(const RoughBallastProperties<T>& properties) {
   return checked(law);
 }
 
+/// Makes PlasticGrains. @throws std::invalid_argument on a parameter out of its range
 template <class T>
 PlasticGrains<T> plastic_grains(const PlasticGrainsProperties<T>& properties) {
   PlasticGrains<T> law;
@@ -265,6 +273,7 @@ PlasticGrains<T> plastic_grains(const PlasticGrainsProperties<T>& properties) {
   return checked(law);
 }
 
+/// Makes CohesivePowder. @throws std::invalid_argument on a parameter out of its range
 template <Tension tension = Tension::allowed, class T>
 CohesivePowder<T, tension> cohesive_powder(const CohesivePowderProperties<T>& properties) {
   CohesivePowder<T, tension> law;

@@ -88,6 +88,7 @@ enum class AdhesiveFriction {
   thornton_dmt,  ///< F + F_c
   thornton_jkr   ///< F + 2 F_c
 };
+/// The pull that friction counts [N].
 template <AdhesiveFriction rule, class T>
 CONTACTLAWS_HD T counted_adhesion(const T& pull_off) noexcept {
   return T(rule == AdhesiveFriction::none ? 0 : rule == AdhesiveFriction::thornton_dmt ? 1 : 2) * pull_off;

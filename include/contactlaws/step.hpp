@@ -25,8 +25,8 @@ struct Step {
 /// Translational stiffnesses of a contact, for the estimate of a stable time step [N/m].
 template <class T>
 struct ContactStiffness {
-  T normal;
-  T shear;
+  T normal;  ///< along the normal
+  T shear;   ///< in the contact plane
 };
 
 }  // namespace contactlaws

@@ -146,7 +146,8 @@ struct ClosedBridgeForce {
   CONTACTLAWS_HD T force_at_touch(const T&) const noexcept { return cosine; }
 
  protected:
-  T prepared_angle = T(0), cosine = T(1);
+  T prepared_angle = T(0);  ///< of prepare() [rad]
+  T cosine = T(1);          ///< of that angle
 };
 
 /// A closed form fitted to perfectly wetting bridges.

@@ -16,20 +16,21 @@ namespace contactlaws {
 
 /// An interval of allowed values. Infinity and NaN lie outside every range.
 struct Range {
-  double low = 0.0;
-  double high = 0.0;
-  bool low_included = false;
-  bool high_included = false;
+  double low = 0.0;            ///< lower bound
+  double high = 0.0;           ///< upper bound
+  bool low_included = false;   ///< whether the lower bound itself is allowed
+  bool high_included = false;  ///< whether the upper bound itself is allowed
 
   /// The largest finite number as a bound: every finite number is allowed.
   static constexpr double unbounded = std::numeric_limits<double>::max();
 
-  static constexpr Range any() { return {-unbounded, unbounded, true, true}; }
-  static constexpr Range positive() { return {0.0, unbounded, false, true}; }
-  static constexpr Range not_negative() { return {0.0, unbounded, true, true}; }
-  static constexpr Range closed(double low, double high) { return {low, high, true, true}; }
-  static constexpr Range left_open(double low, double high) { return {low, high, false, true}; }
+  static constexpr Range any() { return {-unbounded, unbounded, true, true}; }                ///< every finite number
+  static constexpr Range positive() { return {0.0, unbounded, false, true}; }                 ///< (0, inf)
+  static constexpr Range not_negative() { return {0.0, unbounded, true, true}; }              ///< [0, inf)
+  static constexpr Range closed(double low, double high) { return {low, high, true, true}; }  ///< [low, high]
+  static constexpr Range left_open(double low, double high) { return {low, high, false, true}; }  ///< (low, high]
 
+  /// Whether a value is allowed.
   constexpr bool contains(double x) const {
     return (low_included ? x >= low : x > low) && (high_included ? x <= high : x < high);
   }
@@ -39,11 +40,12 @@ struct Range {
 template <class Owner, class T>
 struct Parameter {
   const char* name = "";
-  const char* unit = "1";  ///< SI, "1" for a pure number
-  T Owner::*member = nullptr;
-  Range range = {};
+  const char* unit = "1";      ///< SI, "1" for a pure number
+  T Owner::*member = nullptr;  ///< where it lives
+  Range range = {};            ///< what it may be
 };
 
+/// What a value of history is.
 enum class ValueKind {
   scalar,
   vector  ///< a component: three in a row are x, y, z, which turn with the frame
@@ -54,7 +56,7 @@ struct StateValue {
   const char* name = "";
   const char* unit = "1";
   int exchange_sign = 1;  ///< factor when the two bodies are swapped: -1 for a force or a displacement, else +1
-  ValueKind kind = ValueKind::scalar;
+  ValueKind kind = ValueKind::scalar;  ///< scalar, or component of a vector
 };
 
 /// Two tables joined.

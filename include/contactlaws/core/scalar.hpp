@@ -23,6 +23,7 @@ template <class T>
 struct NonDeducedType {
   using type = T;
 };
+/// T, from which a template argument is not deduced.
 template <class T>
 using NonDeduced = typename NonDeducedType<T>::type;
 
@@ -39,6 +40,7 @@ struct ScalarTraits {
   CONTACTLAWS_HD static void store(T* values, const T& x) noexcept { *values = x; }
 };
 
+/// What a comparison of two T yields.
 template <class T>
 using Mask = typename ScalarTraits<T>::Mask;
 
@@ -91,6 +93,7 @@ template <class T>
 CONTACTLAWS_HD T minimum(const T& a, const T& b) noexcept {
   return select<T>(b < a, b, a);
 }
+/// max(a, b), see minimum().
 template <class T>
 CONTACTLAWS_HD T maximum(const T& a, const T& b) noexcept {
   return select<T>(a < b, b, a);

@@ -18,6 +18,7 @@
 
 namespace contactlaws {
 
+/// Throws std::invalid_argument; without exceptions, aborts.
 [[noreturn]] inline void reject(const std::string& message) {
 #if defined(__cpp_exceptions)
   throw std::invalid_argument(message);
@@ -27,6 +28,7 @@ namespace contactlaws {
 #endif
 }
 
+/// An interval as text: (0, inf), [0, 1] and so on.
 inline std::string to_string(const Range& range) {
   std::ostringstream text;
   text << (range.low_included && range.low != -Range::unbounded ? '[' : '(');

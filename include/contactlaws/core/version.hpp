@@ -2,9 +2,9 @@
 // The library's version: the one place where it is written; CMake and pkg-config read it from here.
 #pragma once
 
-#define CONTACTLAWS_VERSION_MAJOR 0
-#define CONTACTLAWS_VERSION_MINOR 1
-#define CONTACTLAWS_VERSION_PATCH 0
+#define CONTACTLAWS_VERSION_MAJOR 0  ///< 0 until the interface is stable
+#define CONTACTLAWS_VERSION_MINOR 1  ///< grows with the interface
+#define CONTACTLAWS_VERSION_PATCH 0  ///< grows with corrections
 
 // Two steps, so that the numbers are put in before they are quoted.
 #define CONTACTLAWS_QUOTE(x) #x

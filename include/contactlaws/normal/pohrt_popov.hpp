@@ -71,6 +71,7 @@ struct RoughProfile {
   T exponent = T(1);            ///< p [1]
   T transition_overlap = T(0);  ///< o_c [m]
 
+  /// Indentation of a smooth sphere that has the same force.
   struct Indentation {
     T depth;  ///< d [m]
     T slope;  ///< dd/do [1]

@@ -146,7 +146,9 @@ struct StaticKinetic {
   }
 };
 
+/// What the history holds.
 enum class Stored { force, displacement };
+/// What happens to it where the stiffness falls.
 enum class Unloading { keeps, rescales };
 
 namespace detail {
@@ -170,7 +172,7 @@ struct IncrementalShear : Stiffness, Friction {
   using Rebind = IncrementalShear<U, stored, unloading, typename Stiffness::template Rebind<U>,
                                   typename Rotation::template Rebind<U>, typename Friction::template Rebind<U>>;
   static constexpr bool acts = true;
-  static constexpr bool rescales = unloading == Unloading::rescales;
+  static constexpr bool rescales = unloading == Unloading::rescales;  ///< as Unloading
 
   struct CONTACTLAWS_EMPTY_BASES State
       : detail::ShearHistory<T>,
@@ -267,15 +269,19 @@ struct IncrementalShear : Stiffness, Friction {
 
 template <class T, class Stiffness = Mindlin<T>, class Rotation = rotation::ProjectRestore<T>,
           class Friction = Coulomb<T>>
+/// History: the force.
 using ShearForce = IncrementalShear<T, Stored::force, Unloading::keeps, Stiffness, Rotation, Friction>;
 template <class T, class Stiffness = Mindlin<T>, class Rotation = rotation::ProjectRestore<T>,
           class Friction = Coulomb<T>>
+/// History: the force, scaled where the stiffness falls.
 using ShearForceRescaled = IncrementalShear<T, Stored::force, Unloading::rescales, Stiffness, Rotation, Friction>;
 template <class T, class Stiffness = Mindlin<T>, class Rotation = rotation::ProjectRestore<T>,
           class Friction = Coulomb<T>>
+/// History: the displacement.
 using ShearDisplacement = IncrementalShear<T, Stored::displacement, Unloading::keeps, Stiffness, Rotation, Friction>;
 template <class T, class Stiffness = Mindlin<T>, class Rotation = rotation::ProjectRestore<T>,
           class Friction = Coulomb<T>>
+/// History: the displacement, scaled where the stiffness falls.
 using ShearDisplacementRescaled =
     IncrementalShear<T, Stored::displacement, Unloading::rescales, Stiffness, Rotation, Friction>;
 

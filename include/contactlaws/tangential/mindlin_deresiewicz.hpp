@@ -50,10 +50,12 @@ struct MindlinDeresiewicz : Mindlin<T>, Coulomb<T> {
   using Rebind = MindlinDeresiewicz<U, typename Rotation::template Rebind<U>, corners>;
   static constexpr bool acts = true;
 
+  /// A corner of the chain e(h).
   struct Corner {
     T depth = T(0);                              ///< h [m]
     std::array<T, 3> slip = {T(0), T(0), T(0)};  ///< e [m]
   };
+  /// The history without that of the rotation.
   struct Own {
     std::array<Corner, corners> corner{};  ///< from the edge inwards; equal ones where fewer are needed
     T last_overlap = T(0);                 ///< of the step before [m]

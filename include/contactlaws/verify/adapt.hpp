@@ -15,11 +15,14 @@ struct Adapted {
   using T = typename Law::Scalar;
   using State = typename Law::State;
 
-  Law law;
-  T young;  ///< effective modulus E* [Pa]
-  T shear;  ///< effective shear modulus G* [Pa]
-  State first{};
+  Law law;        ///< of contactlaws
+  T young;        ///< effective modulus E* [Pa]
+  T shear;        ///< effective shear modulus G* [Pa]
+  State first{};  ///< of a new contact
 
+  // The hooks of force_update.hpp.
+
+  /// One step.
   Interaction operator()(const Bodies& bodies, double dt, State& state) const {
     const auto geometry = place(bodies);
     const auto motion =
@@ -32,21 +35,25 @@ struct Adapted {
             Vector(geometry.arm2.cross(force) + couple), static_cast<double>(step.bridge_force)};
   }
 
-  State start() const { return first; }
+  State start() const { return first; }  ///< the state of a new contact
+  /// The state as numbers.
   std::vector<double> store(const State& state) const {
     std::vector<T> values(Law::state_size);
     Law::store(state, values.data());
     return {values.begin(), values.end()};
   }
+  /// The state of these numbers.
   State load(const std::vector<double>& values) const {
     const std::vector<T> kept(values.begin(), values.end());
     return Law::load(kept.data());
   }
+  /// The state of the same contact with the bodies swapped.
   State exchanged(const State& state) const {
     std::vector<double> values = store(state);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] *= Law::exchange_sign(i);
     return load(values);
   }
+  /// The law in other units.
   Adapted in_units(const Units& units) const {
     const auto slot = [&units](auto s) {
       for (const auto& p : decltype(s)::parameters()) s.*p.member = T(s.*p.member * factor(units, p.unit));

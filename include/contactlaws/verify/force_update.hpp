@@ -36,6 +36,7 @@
 
 namespace contactlaws::verify {
 
+/// Three numbers.
 using Vector = Vec3<double>;
 
 /// A sphere. Positions are those at the end of the step, velocities those during it.
@@ -48,11 +49,11 @@ struct Body {
 };
 
 struct Bodies {
-  Body one;
-  Body two;
+  Body one;  ///< body 1
+  Body two;  ///< body 2
 
-  Vector branch() const { return two.position - one.position; }
-  double length() const { return one.radius + two.radius; }
+  Vector branch() const { return two.position - one.position; }  ///< from centre to centre [m]
+  double length() const { return one.radius + two.radius; }      ///< R1 + R2 [m]
 };
 
 /// What an update returns: at least the force on body 2. A torque left out is that of the force at the contact point.
@@ -66,15 +67,15 @@ struct Interaction {
 
 /// Other units: a quantity is multiplied by the product of these that its dimension requires.
 struct Units {
-  double length;
-  double mass;
-  double time;
+  double length;  ///< of a metre
+  double mass;    ///< of a kilogram
+  double time;    ///< of a second
 
-  double velocity() const { return length / time; }
-  double force() const { return mass * length / (time * time); }
-  double stiffness() const { return mass / (time * time); }
-  double pressure() const { return mass / (length * time * time); }
-  double damping() const { return mass / time; }
+  double velocity() const { return length / time; }                  ///< of 1 m/s
+  double force() const { return mass * length / (time * time); }     ///< of 1 N
+  double stiffness() const { return mass / (time * time); }          ///< of 1 N/m
+  double pressure() const { return mass / (length * time * time); }  ///< of 1 Pa
+  double damping() const { return mass / time; }                     ///< of 1 kg/s
 };
 
 namespace detail {
@@ -108,13 +109,14 @@ using Stiffness =
 struct ForceUpdate {
   using State = std::any;
 
-  std::function<Interaction(const Bodies&, double dt, State&)> step;
-  std::function<State()> start;
-  std::function<ForceUpdate(const Units&)> in_units;
-  std::function<State(const State&)> restarted;  ///< the state stored, and loaded again
-  std::function<State(const State&)> exchanged;
-  std::function<ContactStiffness<double>(const Bodies&, const State&)> stiffness;
+  std::function<Interaction(const Bodies&, double dt, State&)> step;  ///< of one step
+  std::function<State()> start;                                       ///< of a new contact
+  std::function<ForceUpdate(const Units&)> in_units;                  ///< the same law in other units
+  std::function<State(const State&)> restarted;                       ///< the state stored, and loaded again
+  std::function<State(const State&)> exchanged;                       ///< of the swapped bodies
+  std::function<ContactStiffness<double>(const Bodies&, const State&)> stiffness;  ///< of the springs
 
+  /// Any law of these hooks.
   template <class Law, class = std::enable_if_t<!std::is_same_v<Law, ForceUpdate>>>
   ForceUpdate(const Law& law) {  // implicit, for check_all(MyLaw{}, options)
     constexpr bool has_state = detail::offers<detail::State, Law>;

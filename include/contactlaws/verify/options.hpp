@@ -30,14 +30,14 @@ struct Claims {
 };
 
 struct Options {
-  double radius1 = 0.0;  ///< [m]
-  double radius2 = 0.0;  ///< [m]
-  double mass1 = 0.0;    ///< [kg]
-  double mass2 = 0.0;    ///< [kg]
-  double overlap = 0.0;  ///< the largest usual one [m]; speeds and time steps follow from the force there
-  Claims claims;
-  int paths = 100;                                          ///< random paths for each property
-  std::uint64_t seed = 20190501;                            ///< of the random paths
+  double radius1 = 0.0;           ///< [m]
+  double radius2 = 0.0;           ///< [m]
+  double mass1 = 0.0;             ///< [kg]
+  double mass2 = 0.0;             ///< [kg]
+  double overlap = 0.0;           ///< the largest usual one [m]; speeds and time steps follow from the force there
+  Claims claims;                  ///< what the law promises
+  int paths = 100;                ///< random paths for each property
+  std::uint64_t seed = 20190501;  ///< of the random paths
   double epsilon = std::numeric_limits<double>::epsilon();  ///< of the numbers the law computes in; float's is 2^-23
   std::string folder;  ///< an existing one, for the reduced paths of failures; empty: they are not written
 

@@ -18,8 +18,11 @@
 
 namespace contactlaws::verify {
 
+/// A rotation matrix.
 using Rotation = Eigen::Matrix<double, 3, 3>;
+/// The motion of one step.
 using Motion = ContactKinematics<double>;
+/// The motion of a contact, step by step.
 using Path = std::vector<Motion>;
 
 /// The part of v in the contact plane.
@@ -90,9 +93,10 @@ inline Path refined(const Path& path, int parts) {
 
 /// The input of one step of a force update.
 struct Instant {
-  Bodies bodies;
-  double dt;  ///< [s]
+  Bodies bodies;  ///< at the end of the step
+  double dt;      ///< [s]
 };
+/// The same motion, as bodies.
 using Trajectory = std::vector<Instant>;
 
 /// Bodies that move along the path, seen from body 1.

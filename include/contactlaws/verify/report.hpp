@@ -14,6 +14,7 @@
 
 namespace contactlaws::verify {
 
+/// What a check says.
 enum class Verdict {
   pass,
   fail,
@@ -23,8 +24,8 @@ enum class Verdict {
 
 /// The error of a law, and the largest one allowed.
 struct Finding {
-  double error = 0.0;
-  double allowed = 0.0;
+  double error = 0.0;    ///< the largest so far
+  double allowed = 0.0;  ///< the largest that passes
 
   /// Keeps the larger error; a NaN is kept whatever follows. Whether the new one was kept.
   bool add(double other) {
@@ -33,22 +34,24 @@ struct Finding {
     error = other;
     return true;
   }
+  /// Whether the error is too large.
   bool failed() const { return !(error <= allowed); }  // a NaN fails
 };
 
 struct Result {
-  std::string property;
-  Verdict verdict = Verdict::pass;
-  Finding worst{};        ///< of all paths
-  std::string measure{};  ///< what the error is relative to
-  Path path{};            ///< of a failure: reduced to the steps that still show at least a tenth of the worst error
-  std::string file{};     ///< where the path was written, if it was
+  std::string property;             ///< its name
+  Verdict verdict = Verdict::pass;  ///< of the check
+  Finding worst{};                  ///< of all paths
+  std::string measure{};            ///< what the error is relative to
+  Path path{};         ///< of a failure: reduced to the steps that still show at least a tenth of the worst error
+  std::string file{};  ///< where the path was written, if it was
 };
 
 struct Report {
-  std::uint64_t seed = 0;
-  std::vector<Result> results{};
+  std::uint64_t seed = 0;         ///< of the random paths
+  std::vector<Result> results{};  ///< one a property
 
+  /// Whether no property failed.
   bool passed() const {
     return std::none_of(results.begin(), results.end(), [](const Result& r) { return r.verdict == Verdict::fail; });
   }
@@ -60,6 +63,7 @@ struct Report {
   }
 };
 
+/// A line a property.
 inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   const auto digits = out.precision(2);
   for (const Result& r : report.results) {

@@ -16,6 +16,7 @@ import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 PROGRAM = Path()
@@ -25,7 +26,7 @@ OUTPUTS = {
     "memo": ("{folder}", [], "memo.json"),
     "contact_curves": ("{folder}", [], "ballast.csv"),
     "verify_your_law": ("{folder}", [], "rigid_spin.csv"),
-    "drop": ("{folder}", ["--time", "0.01"], "balls_0000.vtk"),
+    "drop": ("{folder}", ["--time", "0.01"], "balls_0000.vtp"),
     "record_grains": ("{folder}/grains.csv", [], "grains.csv"),
 }
 
@@ -179,7 +180,7 @@ class Results(InTemporaryDirectory):
             self.skipTest("drops nothing")
         self.assertEqual(run(self.output, "--time", "0.8").returncode, 0)
         rows = [{name: float(value) for name, value in row.items()} for row in self.rows("drop.csv")]
-        frames = sorted(self.directory.glob("balls_*.vtk"))
+        frames = sorted(self.directory.glob("balls_*.vtp"))
         self.assertEqual((len(rows), len(frames)), (51, 51))
 
         energy = [row["energy_J"] for row in rows]
@@ -189,14 +190,11 @@ class Results(InTemporaryDirectory):
 
         # At rest: only a ball that touches no other may still roll, slowly, since DryHill has no rolling resistance.
         self.assertLess(rows[-1]["fastest_m_per_s"], 0.01 * max(row["fastest_m_per_s"] for row in rows))
-        diameters, positions = [], []
-        lines = frames[-1].read_text().split("\n")
-        count = int(next(line for line in lines if line.startswith("POINTS")).split()[1])
-        self.assertEqual(count, 100)
-        start = lines.index(f"POINTS {count} double") + 1
-        positions = [[float(x) for x in line.split()] for line in lines[start:start + count]]
-        start = lines.index("LOOKUP_TABLE default") + 1
-        diameters = [float(line) for line in lines[start:start + count]]
+        arrays = {array.get("Name"): array.text.strip().split("\n")
+                  for array in ElementTree.parse(frames[-1]).iter("DataArray")}
+        positions = [[float(x) for x in line.split()] for line in arrays["points"]]
+        diameters = [float(line) for line in arrays["diameter"]]
+        self.assertEqual((len(positions), len(diameters)), (100, 100))
         for (x, y, z), diameter in zip(positions, diameters):
             # Walls yield by the overlap: under the weight of all balls on one, 0.6 N, Hertz gives 0.05 mm.
             inside = 0.03 - diameter / 2 + 5e-5
