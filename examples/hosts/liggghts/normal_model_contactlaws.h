@@ -193,9 +193,7 @@ class ContactLawsModel : public NormalModelBase {
                                                      spin_i, s.radi, advances ? update->dt : 0.0);
     double* const values = s.contact_history + offset_;
     auto state = Law::load(values);
-    if constexpr (contactlaws::has_bridge<Law> &&
-                  !contactlaws::holds_liquid<Law>)  // the others form bridges themselves
-      Law::make_wet(state, contact.kinematics.overlap, 0.0);
+    if constexpr (contactlaws::has_bridge<Law>) Law::make_wet(state, contact.kinematics.overlap, 0.0);
     const auto result = types.law.step(pair, contact.kinematics, state);
     if (advances) Law::store(result.state, values);
     if (s.contact_flags != NULL)  // the host keeps the history of contacts with a flag

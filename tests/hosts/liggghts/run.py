@@ -225,7 +225,7 @@ class Pairs(Check):
         """Rows of powder pulled to 0.6 of the gap at which it lets go, and what follows."""
         gap = jkr_gap(RADIUS, **POWDER)
         text = spheres(gap=-gap / 10, model="contactlaws/cohesive_powder", young=SOFT, restitution=restitution, friction=friction, rolling=rolling)
-        text += "fix a one freeze\n" if frozen else ""
+        text += f"fix a {frozen} freeze\n" if frozen else ""
         rows, output = run(text + move("two", f"{gap / 1e-6 / 1000!r} 0 0", 700) + more)
         self.assertTrue(rows, output[-2000:])
         return rows
@@ -234,31 +234,31 @@ class Pairs(Check):
         """-sqrt(5) ln(e) / sqrt(ln(e)^2 + pi^2) times sqrt(m* 4/3 E* a) times the velocity (Tsuji et al. 1992 with the exact constant)."""
         gap, (m1, m2) = jkr_gap(RADIUS, **POWDER), (DENSITY * 4 / 3 * math.pi * r**3 for r in (R1, R2))
         log = math.log(0.7)
-        for frozen, mass in (("", m1 * m2 / (m1 + m2)), ("frozen", m2)):
+        for frozen, mass in (("", m1 * m2 / (m1 + m2)), ("one", m2), ("two", m1)):
             row = self.stretched("", restitution=0.7, frozen=frozen)[-1]
+            on_two = -float(row[2]) if frozen == "two" else row[5]  # LIGGGHTS clears the force on what is frozen
             contact_radius, pull, _ = jkr(-0.6 * gap, RADIUS, **POWDER)
             dashpot = math.sqrt(5) * -log / math.hypot(log, math.pi) * math.sqrt(mass * 4 / 3 * POWDER["modulus"] * contact_radius)
-            self.assert_close(row[5], pull - dashpot * gap / 1000 / 1e-6, 1e-7)
+            self.assert_close(on_two, pull - dashpot * gap / 1000 / 1e-6, 1e-7)
 
     def test_spins_of_a_stretched_contact(self):
-        """Sphere 2 turns by 0.01 about its centre: Mindlin's shear at the contact radius; without friction, the couple of rolling."""
+        """One sphere turns by 0.01 about its centre: Mindlin's shear at the contact radius; without friction, the couple of rolling."""
         gap = jkr_gap(RADIUS, **POWDER)
         contact_radius = jkr(-0.6 * gap, RADIUS, **POWDER)[0]
-        modulus = SOFT / 4 / (1 + POISSON) / (2 - POISSON)
-        turn = (f"fix mv two move rotate {R1 + R2 + 0.6 * gap!r} 0 0 0 0 1 {2 * math.pi * 1e-2!r}\ncompute t all property/atom tqz\n"
-                "compute t1 one reduce sum c_t\ncompute t2 two reduce sum c_t\nthermo_style custom step v_f2y c_t1 c_t2\n"
-                "thermo_modify format float %.15g\nrun 100\n")
-        angle, arms = 100e-6 / 1e-2, [r + 0.3 * gap for r in (R1, R2)]
-        shear = 8 * modulus * contact_radius * arms[1] * angle
-        row = self.stretched(turn)[-1]
-        # the normal turns by nothing; the sphere's centre moves by less than 1e-16 m
-        self.assert_close(row[1], shear, 1e-8)
-        self.assert_close(row[2], -arms[0] * shear, 1e-8)
-        self.assert_close(row[3], -arms[1] * shear, 1e-8)
-        row = self.stretched(turn, friction=0.0, rolling=ROLLING)[-1]
-        couple = 9 / 4 * 2 * POWDER["modulus"] * contact_radius * (ROLLING * RADIUS)**2 * angle
-        self.assert_close(row[2], couple, 1e-8)
-        self.assert_close(row[3], -couple, 1e-8)
+        shear_stiffness = 8 * SOFT / 4 / (1 + POISSON) / (2 - POISSON) * contact_radius
+        rolling_stiffness = 9 / 4 * 2 * POWDER["modulus"] * contact_radius * (ROLLING * RADIUS)**2
+        arms, angle = [r + 0.3 * gap for r in (R1, R2)], 0.01
+        for turns, centre, arm, sign in (("one", 0.0, arms[0], -1), ("two", R1 + R2 + 0.6 * gap, arms[1], 1)):
+            turn = (f"fix mv {turns} move rotate {centre!r} 0 0 0 0 1 {2 * math.pi * 100e-6 / angle!r}\n"
+                    "compute t all property/atom tqz\ncompute t1 one reduce sum c_t\ncompute t2 two reduce sum c_t\n"
+                    "thermo_style custom step v_f2y c_t1 c_t2\nthermo_modify format float %.15g\nrun 100\n")
+            # the normal turns by nothing; the sphere's centre moves by less than 1e-16 m
+            row, shear = self.stretched(turn)[-1], shear_stiffness * arm * angle
+            for value, expected in zip(row[1:], (shear, -arms[0] * shear, -arms[1] * shear)):
+                self.assert_close(value, expected, 1e-8)
+            row, couple = self.stretched(turn, friction=0.0, rolling=ROLLING)[-1], rolling_stiffness * angle
+            self.assert_close(row[2], sign * couple, 1e-8)
+            self.assert_close(row[3], -sign * couple, 1e-8)
 
     def test_wet_grains(self):
         """Dry before touch; then the exact bridge, to 0.1 % of its force at touch, until it ruptures; dry thereafter until they touch."""
