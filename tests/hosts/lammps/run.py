@@ -235,7 +235,8 @@ def test_adhesion():
             expect(name, adhesion_is_right(tables, step))
             first = first or tables
             expect(f"{name}: as on one rank", all(close(a, b, 0.0, ("dx", "fx", "f1x")) for a, b in zip(first, tables)))
-            again = run("restarted.lmp", ranks=3 - ranks, px=3 - ranks, file=file, last=1700)[0][0]
+            again = run("restarted.lmp", ranks=3 - ranks, px=3 - ranks, style="contactlaws/cohesive_powder", file=file,
+                        last=1700)[0][0]
             expect(f"{name}: restart of a stretched contact", close([tables[1][-1]], [again], 1e-9, ("dx", "fx")) and again["fx"] < -0.01)
     wrong = dict(program=negated, style="contactlaws/cohesive_powder/negated", coeff=f"{powder} friction 0.4", step=step)
     expect("negated transfer of adhesion: right on one rank", adhesion_is_right(run("pull.lmp", **wrong), step))
@@ -322,8 +323,9 @@ def test_liquid():
                 if wet == "no":
                     first = first or tables
                     expect(f"{name}: as on one rank", all(close(a, b, 0.0, ("dx", "fx", "f1x")) for a, b in zip(first, tables)))
-                    again = run("restarted.lmp", ranks=3 - ranks, px=3 - ranks, file=file, last=1700)[0][0]
+                    again = run("restarted.lmp", ranks=3 - ranks, px=3 - ranks, style="contactlaws/wet_grains", file=file, last=1700)[0][0]
                     expect(f"{name}: restart of a bridge", close([tables[1][-1]], [again], 1e-9, ("dx", "fx")) and again["fx"] < -1e-4)
+                    check(f"{name}: liquid after a restart", again["heat[5]"], -volume, 1e-12)
 
 
 def test_impacts():
@@ -404,10 +406,25 @@ def test_restart():
                    max(abs(row["fy"]) for row in rows.values()) > 1e-3)
             for step in (200, 300, 301):
                 for other in (1, 2):
-                    again = [row for row in run("restarted.lmp", ranks=other, px=other, file=f"{file}.{step}")[0]
-                             if row["Step"] in rows]
+                    again = [row for row in run("restarted.lmp", ranks=other, px=other, style=style["style"],
+                                                file=f"{file}.{step}")[0] if row["Step"] in rows]
                     expect(f"restart of {law} at {step}, {ranks} to {other} ranks",
                            len(again) > 20 and close([rows[row["Step"]] for row in again], again, 1e-9, keys))
+
+
+def test_restart_of_sums():
+    """The sums of `compute pair` go on from those of all ranks: what a restart file holds, and what is added since, to rounding."""
+    style, file = "contactlaws/dry_hill", f"{scratch.name}/sums"
+    coeff = "young 29e6 poisson 0.15 friction 0.2 damping_constant 0.1"
+    for ranks in (1, 2):
+        rows = run("restart.lmp", ranks=ranks, px=ranks, x=-1e-4, file=file, wet="no", style=style, coeff=coeff)[-1]
+        kept = rows[0]  # of step 301, where the last run begins; by then both ranks have had the contact
+        for other in (1, 2):
+            again = run("restarted.lmp", ranks=other, px=other, file=f"{file}.301", style=style)[0]
+            for heat in ("heat[1]", "heat[2]"):
+                expect(f"sums, {ranks} ranks: {heat} before and after", 0 < kept[heat] < 0.9 * rows[-1][heat])
+                check(f"sums, {ranks} to {other} ranks: {heat} of the file", again[0][heat], kept[heat], 1e-12)
+                check(f"sums, {ranks} to {other} ranks: {heat} at the end", again[-1][heat], rows[-1][heat], 1e-9)
 
 
 dimension, roughness = 2.2, 2e-5
