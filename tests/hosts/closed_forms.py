@@ -20,7 +20,7 @@ def jkr_gap(radius, work, modulus):
 def jkr(overlap, radius, work, modulus):
     """Contact radius, force and energy of the branch that holds."""
     low, high = jkr_pull_off_radius(radius, work, modulus), radius
-    for _ in range(200):
+    for _ in range(64):  # R* 2^-64
         a = (low + high) / 2
         low, high = (a, high) if a * a / radius - math.sqrt(2 * math.pi * work * a / modulus) < overlap else (low, a)
     q, flat = math.sqrt(2 * math.pi * work * a / modulus), a * a / radius
