@@ -51,8 +51,9 @@ if [ "${1:-}" = --hosts ]; then
   in_turn one 'sh tests/hosts/lammps.sh build/hosts/lammps' 'python3 tests/hosts/liggghts/run.py' &
   one=$!
   failed=0
-  in_turn two 'python3 examples/hosts/report_cards/run.py' 'python3 tests/hosts/c/run.py' 'python3 tests/hosts/yade/run.py' ||
-    failed=$?
+  library=build/hosts/c/libcontactlaws.so
+  in_turn two "sh tests/hosts/library.sh $library" "python3 tests/hosts/c/run.py $library" "python3 tests/hosts/yade/run.py $library" \
+    'python3 examples/hosts/report_cards/run.py' || failed=$?
   wait $one || failed=$?
   if [ $failed -ne 0 ]; then exit $failed; fi
   exit 0

@@ -1,5 +1,5 @@
 #!/bin/sh
-# LAMMPS's Pair time with our styles over that with its own gran/hertz/history, in turn on one core: medians of five turns.
+# Processor time of LAMMPS's Pair with our styles over that with its own gran/hertz/history, in turn on one core: medians of five turns.
 #
 #   sh bench/hosts/lammps.sh [BUILD_DIRECTORY]
 set -eu
@@ -12,7 +12,7 @@ mpicxx -std=c++17 -O3 -march=native -fno-math-errno -DLAMMPS_SMALLBIG -DOMPI_SKI
 
 pair_time() {
   OMP_NUM_THREADS=1 taskset -c $(($(nproc) - 1)) "$build/clmp_native" -in bench/hosts/lattice.lmp -log none \
-    -var style "$1" -var how "$2" | awk '/^Pair / { seconds = $3 } END { print seconds }'
+    -var style "$1" -var how "$2" | tr -d '|' | awk '/^Pair / { seconds = $3 * $6 / 100 } END { print seconds }'
 }
 echo 'style,how,gran_seconds,seconds,ratio' > "$build/pair_time.csv"
 for _ in 1 2 3 4 5; do

@@ -26,7 +26,7 @@ compile() {
   out=$1
   shift
   # shellcheck disable=SC2086  # a list of options
-  mpicxx -std=c++17 -O1 -Wall -Wextra -Werror -DLAMMPS_SMALLBIG -DOMPI_SKIP_MPICXX -Iinclude -Iexamples/hosts/lammps \
+  mpicxx -std=c++17 -O1 -Wall -Wextra -Werror -DCONTACTLAWS_INLINE=inline -DLAMMPS_SMALLBIG -DOMPI_SKIP_MPICXX -Iinclude -Iexamples/hosts/lammps \
     ${eigen:--isystem /usr/include/eigen3} -isystem "$build/headers" -o "$build/$out" "$@" -llammps
 }
 # LAMMPS makes its sub-models in one function, from a list of headers. The driver has its own copy of that function, with ours in

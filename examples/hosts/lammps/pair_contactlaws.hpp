@@ -8,7 +8,7 @@
 // commands add up, and are checked where a run starts. `restitution e` sets the damping constant. `wet GAP` wets, where the
 // next run starts, every contact of these types with a gap up to GAP.
 //
-// Body 1 is LAMMPS's atom i, body 2 atom j. History lives in fix NEIGH_HISTORY; a pair that changes its owner is transferred
+// Body 1 is LAMMPS's atom i, body 2 atom j. History and sums live in a fix NEIGH_HISTORY; a pair that changes its owner is transferred
 // with bodies swapped. A set-up pass has dt = 0, so that it returns the last step's force and leaves the history as it is.
 #pragma once
 
@@ -32,11 +32,6 @@ class PairContactLaws : public PairOfSpheres {
   static_assert(Law::state_size > 0, "a law without history needs no fix NEIGH_HISTORY");
   static_assert(!Law::outlives_separation, "LAMMPS forgets pairs that have separated");
 
-  /// What a step adds to the sums of `compute pair`.
-  struct Gains {
-    double friction, dashpots, yielding;  ///< heat [J]
-    double returned;                      ///< liquid [m^3]
-  };
   struct Types : TypePair<Parameters> {
     ContactBlock<Law> block;
     std::array<Contact, ContactBlock<Law>::capacity> contacts;  ///< those in the block
@@ -163,7 +158,7 @@ class PairContactLaws : public PairOfSpheres {
     const double dt = update->setupflag != 0 ? 0.0 : update->dt;
     const Atoms atoms = this->atoms();
     const int* const type = atom->type;
-    Gains gains{0.0, 0.0, 0.0, 0.0};
+    ContactSums gains;
     yielding_of_closed_ = liquid_in_bridges_ = 0.0;
     for (int n = 0; n < list->inum; ++n) {
       const int i = list->ilist[n], neighbours = list->numneigh[i];
@@ -197,12 +192,13 @@ class PairContactLaws : public PairOfSpheres {
         if (types.block.count > 0) step_block<Number>(atoms, types, dt, gains);
       types.wet_gap = -1.0;
     }
-    pvector[0] += gains.friction;
-    pvector[1] += gains.dashpots;
-    yielding_of_opened_ += gains.yielding;
-    pvector[4] += gains.returned;
+    ContactSums& sums = history_->sums;
+    pvector[0] = sums.friction += gains.friction;
+    pvector[1] = sums.dashpots += gains.dashpots;
+    sums.yielding += gains.yielding;
+    pvector[4] = sums.returned += gains.returned;
     if (eflag_either == 0) return;
-    pvector[2] = yielding_of_opened_ + yielding_of_closed_;
+    pvector[2] = sums.yielding + yielding_of_closed_;
     pvector[3] = liquid_in_bridges_;
   }
 
@@ -215,7 +211,7 @@ class PairContactLaws : public PairOfSpheres {
   }
 
   CONTACTLAWS_INLINE void step(const Atoms& atoms, const Types& types, const Contact& contact, const Centre& one,
-                               double dt, Sum& sum, Gains& gains) {
+                               double dt, Sum& sum, ContactSums& gains) {
     const int j = contact.j;
     const double rj = atoms.radius[j];
     const SphereContact<double> spheres =
@@ -253,11 +249,11 @@ class PairContactLaws : public PairOfSpheres {
   }
 
   template <class Number>
-  void step_block(const Atoms& atoms, Types& types, double dt, Gains& total) {
+  void step_block(const Atoms& atoms, Types& types, double dt, ContactSums& total) {
     ContactBlock<Law>& block = types.block;
     block.template step<Number>(types.law, types.moduli, dt);
     const std::size_t count = block.count;
-    Gains gains = total;
+    ContactSums gains = total;
     for (std::size_t c = 0; c < count;) {
       const int i = types.contacts[c].i;
       Sum sum(atoms, i);
@@ -287,7 +283,8 @@ class PairContactLaws : public PairOfSpheres {
   }
 
   /// The history of a contact after its step; LAMMPS forgets that of one which is not active.
-  CONTACTLAWS_INLINE void store(const Contact& contact, bool active, typename Law::State state, Gains& gains) const {
+  CONTACTLAWS_INLINE void store(const Contact& contact, bool active, typename Law::State state,
+                                ContactSums& gains) const {
     if constexpr (liquid) gains.returned += share_of(contact) * take_returned(state);
     *contact.touch = active;
     Law::store(state, contact.history);
@@ -297,7 +294,7 @@ class PairContactLaws : public PairOfSpheres {
   /// Adds a contact's force and torques to those of its atoms, and its heat to the sums.
   template <class Vector>
   CONTACTLAWS_INLINE void add(const Atoms& atoms, const Contact& contact, const Vector& on_j, const Vector& turns_i,
-                              const Vector& turns_j, double friction, double dashpots, Sum& on_i, Gains& gains) {
+                              const Vector& turns_j, double friction, double dashpots, Sum& on_i, ContactSums& gains) {
     const bool both = atoms.newton != 0 || contact.j < atoms.owned;
     for (int d = 0; d < 3; ++d) on_i.force[d] -= on_j[d];
     for (int d = 0; d < 3; ++d) on_i.torque[d] += turns_i[d];
@@ -331,9 +328,9 @@ class PairContactLaws : public PairOfSpheres {
   int packs_ = 1;
   TypePairs<Parameters, Types> types_;
   std::vector<double> largest_radii_;  ///< of each type [m]
-  // Heat of yielding [J]: of contacts that have opened, and of those that touch, in a step that counts energies.
-  double yielding_of_opened_ = 0.0, yielding_of_closed_ = 0.0;
-  double liquid_in_bridges_ = 0.0;  ///< in a step that counts energies [m^3]
+  // In a step that counts energies:
+  double yielding_of_closed_ = 0.0;  ///< heat of yielding of contacts that touch [J]
+  double liquid_in_bridges_ = 0.0;   ///< [m^3]
 };
 
 }  // namespace contactlaws

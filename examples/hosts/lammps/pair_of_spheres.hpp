@@ -13,7 +13,7 @@
 #include "comm.h"
 #include "error.h"
 #include "fix.h"
-#include "fix_neigh_history.h"
+#include "fix_contact_history.hpp"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -116,6 +116,7 @@ class PairOfSpheres : public LAMMPS_NS::Pair {
     centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
     nondefault_history_transfer = 1;
     comm_forward = 1;
+    FixContactHistory::offer(lammps);
     // The fix must stand before those that move atoms, such as fix pour: a placeholder keeps its place until init_style().
     modify->add_fix(placeholder_id() + " all DUMMY");
   }
@@ -170,8 +171,9 @@ class PairOfSpheres : public LAMMPS_NS::Pair {
     neighbor->requests[request]->history = touching;
 #endif
     if (history_ == nullptr) {
-      history_ = static_cast<LAMMPS_NS::FixNeighHistory*>(modify->replace_fix(
-          placeholder_id().c_str(), history_id() + " all NEIGH_HISTORY " + std::to_string(history_size_), 1));
+      history_ = static_cast<FixContactHistory*>(modify->replace_fix(
+          placeholder_id().c_str(),
+          history_id() + " all " + FixContactHistory::style_name + ' ' + std::to_string(history_size_), 1));
       history_->pair = this;
     }
     history_->use_bit_flag = touching;
@@ -257,7 +259,7 @@ class PairOfSpheres : public LAMMPS_NS::Pair {
     MPI_Bcast(values, int(bytes), MPI_BYTE, 0, world);
   }
 
-  LAMMPS_NS::FixNeighHistory* history_ = nullptr;
+  FixContactHistory* history_ = nullptr;
 
  private:
   std::string placeholder_id() const { return "CONTACTLAWS_PLACE_" + std::to_string(instance_me); }

@@ -42,6 +42,8 @@ int main(int argc, char** argv) {
   enter<CONTACTLAWS_DRY_HILL_DISPLACEMENT>("contactlaws/dry_hill_displacement");
   enter<CONTACTLAWS_HILL>("contactlaws/hill");
   enter<CONTACTLAWS_ROUGH_BALLAST>("contactlaws/rough_ballast");
+  enter<CONTACTLAWS_COHESIVE_POWDER>("contactlaws/cohesive_powder");
+  enter<CONTACTLAWS_WET_GRAINS>("contactlaws/wet_grains");
   {
     LAMMPS lmp(argc, argv, MPI_COMM_WORLD);
     lmp.input->file();

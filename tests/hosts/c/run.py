@@ -39,14 +39,6 @@ OF_A_PATH = 1e-12
 OF_A_STEP = 1e-13
 
 
-def build_library():
-    library = Path(WORK.name) / "libcontactlaws.so"
-    sources = [str(FACE / name) for name in ("contactlaws.cpp", "contactlaws_toml.cpp")]
-    subprocess.run(["g++", "-std=c++17", "-O1", "-DCONTACTLAWS_INLINE=inline", "-shared", "-fPIC", "-I", ROOT / "include", "-I",
-                    ROOT / "examples", "-isystem", EIGEN, *sources, "-o", library], check=True)
-    return str(library)
-
-
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
 
@@ -349,7 +341,8 @@ if __name__ == "__main__":
         if not shutil.which("g++") or not EIGEN or not os.path.exists("/usr/include/toml++/toml.h"):
             print("skipped: no library given, and g++, libeigen3-dev and libtomlplusplus-dev are not all installed")
             sys.exit(77)
-        LIBRARY = build_library()
+        LIBRARY = os.path.join(WORK.name, "libcontactlaws.so")
+        subprocess.run(["sh", ROOT / "tests" / "hosts" / "library.sh", LIBRARY], check=True)
     os.environ["CONTACTLAWS_LIBRARY"] = LIBRARY
     sys.path.insert(0, str(FACE))
     sys.dont_write_bytecode = True
