@@ -203,7 +203,7 @@ struct IncrementalShear : Stiffness, Friction {
 
   template <bool damped>
   CONTACTLAWS_HD ShearResponse<T> respond(State& state, const ShearInput<T>& in) const noexcept {
-    const T twist = in.kinematics.normal_spin * in.kinematics.dt;
+    const T twist = T(in.kinematics.normal_spin * in.kinematics.dt);
     Vec3<T> history =
         Rotation::apply(state, Vec3<T>(state.shear[0], state.shear[1], state.shear[2]), in.kinematics.normal, twist);
     if constexpr (rescales) {
