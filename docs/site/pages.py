@@ -261,7 +261,7 @@ def write_laws(data, out):
         uses = [name for name, slots in ready.items() if name in cost_rows and slots & set(types)]
         if uses:
             text += "In ready-made laws, from the README's table; its conditions are there (@ref index_laws).\n\n"
-            text += table([cost_header[0], *cost_header[-3:]], [[cost_rows[name][0], *cost_rows[name][-3:]] for name in uses])
+            text += table([cost_header[0], *cost_header[-4:]], [[cost_rows[name][0], *cost_rows[name][-4:]] for name in uses])
         else:
             text += "No ready-made law has it, so no figure is published.\n"
         text += "\n## In other codes\n\n"
