@@ -41,10 +41,11 @@ struct HalfTwist {
     sine = run * scaled;
     versine = rise * scaled;
   }
-  /// A vector of the contact plane, rotated about its normal by half of the twist, and by the whole.
+  /// A vector of the contact plane, rotated about its normal by half of the twist.
   CONTACTLAWS_HD Vec3<T> half(const Vec3<T>& v, const Vec3<T>& normal) const noexcept {
     return v + (normal.cross(v) * sine - v * versine);
   }
+  /// The same by the whole twist.
   CONTACTLAWS_HD Vec3<T> whole(const Vec3<T>& v, const Vec3<T>& normal) const noexcept {
     return v + (normal.cross(v) * (T(1) - versine) - v * sine) * T(T(2) * sine);
   }
@@ -91,6 +92,7 @@ struct ProjectRestore {
     const T away = out_of_plane + out_of_plane * gain;
     return shear + (shear * gain - normal * away);
   }
+  /// The slip of the step, rotated to its end.
   CONTACTLAWS_HD static Vec3<T> slip(const Vec3<T>& slip, const Vec3<T>&, const T& /*twist*/) noexcept { return slip; }
 };
 
@@ -122,6 +124,7 @@ struct Rotate {
     const Vec3<T> turned = shear + (axis.cross(shear) + (axis * along - shear * one_minus_cosine));
     return detail::HalfTwist<T>(twist).whole(turned, normal);
   }
+  /// The slip of the step, rotated to its end.
   CONTACTLAWS_HD static Vec3<T> slip(const Vec3<T>& slip, const Vec3<T>& normal, const T& twist) noexcept {
     return detail::HalfTwist<T>(twist).half(slip, normal);
   }
