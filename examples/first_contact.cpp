@@ -10,7 +10,7 @@ int main() {
   DryHillProperties<double> properties;
   properties.friction = 0.4;
   properties.damping_constant = damping_constant(0.7, Spring::hertz, Tension::allowed);  // restitution 0.7
-  const auto law = dry_hill(properties);                                                 // checked here, once
+  const auto law = dry_hill(properties);
   const double radius = 5e-3, mass = sphere_mass(radius, 2650.0);
   const auto pair = pair_properties(sphere(granite, radius), sphere(granite, radius));
   const double dt = impact_duration(pair, 1.0) / 100.0;  // of an impact at 1 m/s

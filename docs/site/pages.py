@@ -182,16 +182,16 @@ def parameters_of(key, keys):
     rows = []
     for one in keys["keys"]:
         if "words" in one:
-            allowed = ", ".join(f'"{word}"' for word in one["words"])
-            rows.append([f"`{one['name']}`", "", f"{allowed} (the first is the default)", one["says"]])
+            allowed = ", ".join(f'`"{word}"`' for word in one["words"])
+            rows.append([f"`{one['name']}`", "", f"{allowed} (the first is the default)", escaped(one["says"])])
         elif "flag" in one:
-            rows.append([f"`{one['name']}`", "", "true, false (the default)", one["says"]])
+            rows.append([f"`{one['name']}`", "", "true, false (the default)", escaped(one["says"])])
         else:
             says = ("required" if one["required"] else "") + ("; " if one["required"] and one["says"] else "") + one["says"]
-            rows.append([f"`{one['name']}`", one["unit"], one["range"], says])
+            rows.append([f"`{one['name']}`", *map(escaped, (one["unit"], one["range"], says))])
     text = f"\n`law = \"{key}\"`: {escaped(keys['says'])}\n\n"
     if rows:
-        text += table(["parameter", "unit", "range", ""], [[row[0], *map(escaped, row[1:])] for row in rows])
+        text += table(["parameter", "unit", "range", ""], rows)
     if keys["reads"]:
         text += "\nReads of the pair: " + ", ".join(f"`{name}`" for name in keys["reads"]) + ".\n"
     return text
