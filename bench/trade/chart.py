@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Draws what `trade` measured: for each law a chart of error against cost, motion by motion.
 
-    python3 bench/trade/chart.py [directory]          (default: build/results, where `trade` writes trade.csv)
+    python3 bench/trade/chart.py [directory]          (default: build/results, where `trade` writes trade.csv and trade.json)
 
 Lower is more accurate, further left is cheaper. The band joins the Pareto-optimal variants, whose names are bold; the ring is
 the default. Variants whose marks overlap share a label.
 """
 
 import csv
+import json
 import math
 import sys
 from pathlib import Path
@@ -114,7 +115,7 @@ def place_labels(axes, rows, line, figure):
             axes.plot(*zip(inverse((x, y)), inverse((end_x, end_y))), color="#9a9a9a", linewidth=0.6, zorder=2)
 
 
-def draw(law, rows):
+def draw(law, rows, machine):
     figure, panels = plt.subplots(2, 2, figsize=(11.5, 9.6), sharex=True, sharey=True)
     costs = [float(r["ns"]) for r in rows]
     right = max(costs) * 2.2
@@ -144,7 +145,10 @@ def draw(law, rows):
     marks.append(plt.Line2D([], [], color=BAND, linewidth=5, label="Pareto front: nothing is cheaper and as accurate"))
     figure.legend(handles=marks, loc="lower center", ncols=5)
     figure.get_layout_engine().set(rect=(0, 0.06, 1, 0.94))
-    figure.suptitle(f"{law.replace('_', ' ')}: what each choice costs and saves", fontweight="bold")
+    figure.suptitle(f"{law.replace('_', ' ')}: what each choice costs and saves\n", fontweight="bold")
+    measured_on = f"{machine['processor']}, {machine['compiler']}, packs of {machine['lanes']} doubles, {machine['date']}"
+    figure.text(0.5, 0.963, f"{measured_on}. The motions are imposed: that longer steps change a motion, too, is not shown.", ha="center",
+                fontsize=8, color=INK)
     figure.canvas.draw()
     figure.set_layout_engine("none")  # labels are placed in pixels: nothing may move now
     for axes, motion in zip(panels.flat, MOTIONS):
@@ -157,8 +161,9 @@ def main():
     directory = Path(sys.argv[1] if len(sys.argv) > 1 else "build/results")
     with open(directory / "trade.csv", newline="") as file:
         rows = list(csv.DictReader(file))
+    machine = json.loads((directory / "trade.json").read_text())["machine"]
     for law in dict.fromkeys(row["law"] for row in rows):
-        figure = draw(law, [row for row in rows if row["law"] == law])
+        figure = draw(law, [row for row in rows if row["law"] == law], machine)
         figure.savefig(directory / f"trade_{law}.png")
         plt.close(figure)
         print(f"written: {directory}/trade_{law}.png")

@@ -9,6 +9,7 @@
 //
 // Exit status: 0; 1 if no composition is within the tolerance, or a variant exceeds its rounding bound (variants.hpp); 2 for a
 // fault in the input, which it names, and then nothing is written; 130 after Ctrl-C.
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 
@@ -37,6 +38,14 @@ std::string processor() {
   return "unknown";
 }
 
+/// YYYY-MM-DD, UTC
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  char text[11];
+  std::strftime(text, sizeof(text), "%Y-%m-%d", std::gmtime(&now));
+  return text;
+}
+
 int measure(const Arguments& arguments) {
   const std::string directory = arguments.directory.empty() ? "build/results" : arguments.directory;
   std::vector<std::pair<std::string, LawSpec>> laws;
@@ -61,6 +70,7 @@ int measure(const Arguments& arguments) {
   write_table(folder, rows,
               {{"processor", processor()},
                {"compiler", TRADE_COMPILER},
+               {"date", today()},
                {"lanes", contactlaws::ScalarTraits<contactlaws::PackOf<double>::type>::lanes}});
   std::cout << "written: " << directory << "/trade.csv and trade.json, " << rows.size() << " rows\n";
   bool all_within = true;
