@@ -44,7 +44,7 @@ struct Wall {
 struct Contact {
   std::size_t first, second;  // indices of two balls, or of a wall and a ball
   PairProperties<double> pair;
-  Step<double, Law::State> step;  // the last one
+  Step<double, Law::State> step{Vector::Zero(), Vector::Zero(), {}, 0.0, 0.0, 0.0, false, false};  // the last one
 };
 struct Scene {
   Law law;
@@ -67,7 +67,7 @@ void list_neighbours(Scene& scene) {
       const Ball& two = scene.balls[j];
       const double distance = (two.motion.position - one.motion.position).norm();
       if (distance - one.body.radius - two.body.radius < skin) {
-        scene.ball_contacts.push_back({i, j, pair_properties(one.body, two.body), {}});
+        scene.ball_contacts.push_back({i, j, pair_properties(one.body, two.body)});
         scene.ball_contacts.back().step.state = states[{i, j}];
       }
     }
@@ -151,7 +151,7 @@ Scene make_scene(int count) {
     const BodyMotion<double> motion{cell * (width / 4.0), Vector(speed(random), 0.0, 0.0), Vector::Zero()};
     scene.balls.push_back({body, motion, mass, 0.4 * mass * body.radius * body.radius});
     for (std::size_t w = 0; w < scene.walls.size(); ++w)
-      scene.wall_contacts.push_back({w, i, pair_properties(plane(plastic), body), {}});
+      scene.wall_contacts.push_back({w, i, pair_properties(plane(plastic), body)});
   }
   list_neighbours(scene);
   compute_forces(scene, 0.0);
