@@ -8,7 +8,8 @@
 //   k_2(o_m) = k_1 + (k_2 - k_1) o_m / o_p,   o_p = 2 phi R* k_2 / (k_2 - k_1)
 //
 // S. Luding (2008), Cohesive, frictional powders: contact models for tension, Granular Matter 10, Eqs 6 to 8 (numbers as YADE's
-// LudingPM.cpp gives them): the loading line, the cohesive line, and k_2 that grows to its largest at the plastic depth phi. A contact that pulls along -k_c o and is pressed again follows the line of unloading through that point:
+// LudingPM.cpp gives them): the loading line, the cohesive line, and k_2 that grows to its largest at the plastic depth phi. A contact
+// that pulls along -k_c o and is pressed again follows the line of unloading through that point:
 // o_m falls to the value whose line it is, in closed form. Decided here: the same without cohesion (k_c = 0, where Walton and
 // Braun keep o_m), so that the law is continuous in k_c. Friction counts F + k_c o. The contact ends at o = 0, where F = 0.
 //
@@ -18,7 +19,7 @@
 //   v >  v_p   1 - e^2 = (1 - e^2(v_p)) (v_p/v)^2                       where e^2 is negative the contact sticks
 //
 // Domain: any overlap; k_2 below k_1 counts as k_1. History: o_m. Error: 4 ULP of the larger of k_1 o_m and |F|
-// (tests/laws/test_linear_hysteretic.cpp); of a virgin contact just beyond o_p k_2/k_1 ULP, since the roundings of o_p count so often.
+// (tests/laws/test_linear_hysteretic.cpp). First loading just beyond o_p: k_2/k_1 ULP, the factor by which an error of o_p is magnified.
 #pragma once
 
 #include <array>

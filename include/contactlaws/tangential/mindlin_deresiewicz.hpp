@@ -19,8 +19,8 @@
 // direction the chain is exact while the corners suffice: a reversal adds one, and so does a step that raises the load faster than
 // friction can follow. Two rules are ours:
 //
-//   1. Where a corner more is needed, the one that bears least is dropped; a new one counts as if it had grown to the midst of
-//      its line, so that small steps do not drop each its own. The springs inside it take over its force; where that raises the
+//   1. Where a corner more is needed, the one that bears least is dropped; a new one counts as if it had grown to the middle of
+//      its line, so that small steps do not each drop their own. The springs inside it take over its force; where that raises the
 //      energy, all deflections are scaled back to it. So no closed loop gains energy. (The work of a step in which a corner is
 //      dropped is not linear in the slip: on loops of few large steps the trapezoidal rule shows up to 0.2 % of the shear energy.)
 //   2. In three dimensions a corner that slips keeps the direction of its own deflection, and one is added where slipping ends.

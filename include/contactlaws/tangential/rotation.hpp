@@ -10,7 +10,8 @@
 // Rotate turns the slip of the step, which is added to s, about the normal by half of the step's spin: the slip happens during the
 // whole step. Without that, a contact that sticks gains shear force in cycles of shear and spin.
 // With x a quarter of the spin, tan(x) = x (945 - 105 x^2 + x^4) / (945 - 420 x^2 + 15 x^4) (Lambert's continued fraction); the sine
-// and cosine of 2x are rational in it. The length is exact for any spin, the angle to rounding up to 0.5 rad a step, to 1e-13 at 1 and 2e-8 at 3.
+// and cosine of 2x are rational in it. The length is exact for any spin; the angle is exact to rounding up to 0.5 rad a step, to
+// 1e-13 at 1 rad and 2e-8 at 3.
 //
 // Source: the projection is Luding's (2008), Rotate is Rodrigues' rotation formula. Domain: unit normals, a spin below pi a step;
 // ProjectRestore projects without restoring the length where |s|^2 leaves the range of T (in float |s| < 1e-20 or > 1e19).
@@ -65,7 +66,7 @@ struct Project {
                                       const T& /*twist*/) noexcept {
     return shear - normal * dot<T>(shear, normal);
   }
-  /// The slip of the step, rotated to its end.
+  /// The slip of the step as it is: this rule does not read the spin.
   CONTACTLAWS_HD static Vec3<T> slip(const Vec3<T>& slip, const Vec3<T>&, const T& /*twist*/) noexcept { return slip; }
 };
 
@@ -92,7 +93,7 @@ struct ProjectRestore {
     const T away = out_of_plane + out_of_plane * gain;
     return shear + (shear * gain - normal * away);
   }
-  /// The slip of the step, rotated to its end.
+  /// The slip of the step as it is: this rule does not read the spin.
   CONTACTLAWS_HD static Vec3<T> slip(const Vec3<T>& slip, const Vec3<T>&, const T& /*twist*/) noexcept { return slip; }
 };
 
@@ -124,7 +125,7 @@ struct Rotate {
     const Vec3<T> turned = shear + (axis.cross(shear) + (axis * along - shear * one_minus_cosine));
     return detail::HalfTwist<T>(twist).whole(turned, normal);
   }
-  /// The slip of the step, rotated to its end.
+  /// The slip of the step, rotated by half of the spin.
   CONTACTLAWS_HD static Vec3<T> slip(const Vec3<T>& slip, const Vec3<T>& normal, const T& twist) noexcept {
     return detail::HalfTwist<T>(twist).half(slip, normal);
   }

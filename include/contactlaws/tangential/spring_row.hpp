@@ -162,12 +162,12 @@ struct SpringRow {
       const Mask<T> bends = negate<T>(length <= rounding);
       T cost = select<T>(bends, T(length * weight), T(0));
       if (i == first) {
-        // A new point near the edge bears nothing yet, and steps that are small enough would each drop theirs again: it counts as
-        // the same bend in the midst of its line.
+        // A new point near the edge bears nothing yet, and small steps would each drop theirs again: it counts as the same bend in
+        // the middle of its line.
         const Mask<T> near = bends && way > T(0) && way < T(T(1) / T(2));
         const T bend = length / (T(4) * select<T>(near, T(way * (T(1) - way)), T(1)));
-        const Point midst{T(outer.depth + span / T(2)), at.slip};
-        cost = select<T>(near, T(bend * weight_of_bend(outer, midst, inner, overlap)), cost);
+        const Point middle{T(outer.depth + span / T(2)), at.slip};
+        cost = select<T>(near, T(bend * weight_of_bend(outer, middle, inner, overlap)), cost);
       }
       // The inmost goes only where it is like the one before it.
       const Mask<T> better = i == first    ? Mask<T>(true)
