@@ -41,6 +41,7 @@ build/examples/bin/bridge_curves build/results
 for python in python3 /usr/bin/python3; do
   if "$python" -c 'import matplotlib' 2>/dev/null; then break; fi
 done
+"$python" examples/drop_figures.py build/results
 "$python" examples/memo/figures.py build/results
 "$python" examples/memo/class5/figures.py build/results
 "$python" examples/ballast/figures.py build/results

@@ -41,9 +41,11 @@ print(
 // The expected results for the paper's ballast. Written by expected.py: change it there.
 #pragma once
 
+#include "common/report.hpp"
+
 namespace ballast::expected {
 """
 )
 for name, value, unit, source in VALUES:
-    print(f"/// [{unit}] {source}\nconstexpr double {name} = {mp.nstr(value, 17)};")
+    print(f'constexpr common::Expected {name}{{{mp.nstr(value, 17)}, "{unit}", "{source}"}};')
 print("\n}  // namespace ballast::expected")

@@ -123,8 +123,9 @@ def figure_ratchet(results):
 
 FIGURES = [
     ("ballast_1", "Figure 1", figure_1, "A rough contact is softer than Hertz's up to the transition force (dotted) and as stiff beyond it; "
-     "the overlap that its asperities took up remains."),
-    ("ballast_2", "Figure 2", figure_2, "Loaded to 20 µm, unloaded to 14 µm, loaded to 25 µm and unloaded: unloading and reloading follow Hertz's stiffness."),
+     "the overlap that its asperities took up remains. The paper prints the transition force and no other point of these curves."),
+    ("ballast_2", "Figure 2", figure_2, "Loaded to 20 µm, unloaded to 14 µm, loaded to 25 µm and unloaded: unloading and reloading follow Hertz's stiffness. "
+     "(The paper draws such a cycle without printing forces; its parameters are those of Table 1.)"),
     ("ballast_trade", "Trade", figure_trade, "Increments F := F + k(F) need a seed force, since k(0) = 0. They converge with the first power of the "
      "step to an error that the seed causes (dips are changes of sign). The closed form has neither step nor seed. (A step of increments evaluates three powers: "
      "one for the force, two for the stiffnesses that it returns.)"),
@@ -132,8 +133,7 @@ FIGURES = [
      "So each cycle hardens the contact: within seven cycles to several times the force. The closed form opens and closes at the plastic overlap."),
 ]
 
-SECTION = """<h1>Railway ballast</h1>
-<p>The normal contact of M. Tolomeo and G. R. McDowell, <i>Implementation of real contact behaviour in the DEM modelling of triaxial
+SECTION = """<p>The normal contact of M. Tolomeo and G. R. McDowell, <i>Implementation of real contact behaviour in the DEM modelling of triaxial
 tests on railway ballast</i> (2022), with the parameters of their Table 1. <b>Expected</b> is their stiffness, integrated numerically in
 50 digits.</p>
 {verdict}
@@ -147,7 +147,7 @@ def main():
     results = read_results("ballast", __doc__)
     rows = list(results.by_id.values())
     shown = [save(draw(results), results.folder, name, label, caption) for name, label, draw, caption in FIGURES]
-    write_section(results.folder, "ballast", SECTION.format(verdict=verdict(rows), numbers=table(rows), figures="\n".join(shown)))
+    write_section(results, "ballast", "Railway ballast", SECTION.format(verdict=verdict(rows), numbers=table(rows), figures="\n".join(shown)))
 
 
 if __name__ == "__main__":

@@ -11,10 +11,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "examples" / "common"), str(ROOT / "tests" / "reference")]
-from page import COMPUTED, LIGHT, OTHER, Columns, plt, save, write_section  # noqa: E402
+from page import COMPUTED, LIGHT, OTHER, Folder, folder_argument, plt, save, write_section  # noqa: E402
 
 import numpy as np  # noqa: E402
-from files import Table  # noqa: E402
 from matplotlib.colors import SymLogNorm  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from young_laplace import Bridges, force  # noqa: E402
@@ -98,8 +97,8 @@ def figure_errors(curves, exact):
 
 
 def main():
-    results = argument_folder()
-    curves = Curves(Columns(Table(results / "bridge_curves.csv")))
+    results = Folder(folder_argument(__doc__))
+    curves = Curves(results.columns("bridge_curves"))
     exact = curves.exact()
     shapes = [
         ("capillary_force", "Force against gap", figure_force,
@@ -107,12 +106,8 @@ def main():
         ("capillary_error", "Error of each rule", figure_errors,
          "In the largest force of each bridge, up to the exact rupture gap; mind the scales: ±0.1 % for the table, ±100 % below."),
     ]
-    pieces = "\n".join(save(draw(curves, exact), results, name, label, caption) for name, label, draw, caption in shapes)
-    write_section(results, "capillary", f"<h1>Liquid bridges of a given volume</h1>\n{pieces}")
-
-
-def argument_folder():
-    return Path(sys.argv[1] if len(sys.argv) > 1 else "build/results")
+    pieces = "\n".join(save(draw(curves, exact), results.folder, name, label, caption) for name, label, draw, caption in shapes)
+    write_section(results, "capillary", "Liquid bridges of a given volume", pieces)
 
 
 if __name__ == "__main__":

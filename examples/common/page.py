@@ -5,6 +5,7 @@ Each script writes its own section; build/results/index.html is made of the sect
 
 import argparse
 import html
+import re
 from pathlib import Path
 
 import matplotlib
@@ -23,7 +24,7 @@ plt.rcParams.update({
     "legend.frameon": False, "legend.fontsize": 8, "mathtext.default": "regular", "figure.constrained_layout.use": True,
 })
 
-SECTIONS = ["memo", "class5", "ballast", "capillary", "probe"]  # in the order of the page
+SECTIONS = ["drop", "memo", "class5", "ballast", "probe", "capillary"]  # in the order of the page
 NUMBERS = ["expected", "computed", "relative_error", "tolerance"]
 
 PAGE = """<!doctype html>
@@ -32,35 +33,52 @@ PAGE = """<!doctype html>
 <style>
   body {{ font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }}
   h1 {{ font-size: 1.5rem; margin-top: 3rem; }} h2 {{ font-size: 1.15rem; margin-top: 2.2rem; }}
+  .wide {{ overflow-x: auto; }} nav li {{ margin: .3rem 0; }} .data {{ font-size: .86rem; }}
   table {{ border-collapse: collapse; font-size: .86rem; width: 100%; }}
   th, td {{ padding: .22rem .6rem; border-bottom: 1px solid #e4e4e4; text-align: right; font-variant-numeric: tabular-nums; }}
-  th:first-child, td:first-child {{ text-align: left; }} th {{ border-bottom: 2px solid #999; }}
+  th:first-child, td:first-child, td.source {{ text-align: left; }} td.source {{ min-width: 9rem; }} th {{ border-bottom: 2px solid #999; }}
   .yes {{ color: #2e7d32; }} .no {{ color: #c62828; font-weight: bold; }}
   figure {{ margin: 2rem 0; }} figcaption {{ color: #444; }} img {{ max-width: 100%; height: auto; }}
 </style>
+<nav><h1>Published problems, computed by contactlaws</h1>
+<ul>
+{contents}
+</ul></nav>
 {sections}
 </html>
 """
 
 
-class Results:
+class Folder:
+    """The folder of the results, and the names of the files that were read from it."""
+
+    def __init__(self, folder):
+        self.folder, self.read = Path(folder), []
+
+    def table(self, name):
+        self.read += [] if f"{name}.csv" in self.read else [f"{name}.csv"]
+        return Table(self.folder / f"{name}.csv")
+
+    def columns(self, name):
+        return Columns(self.table(name))
+
+
+class Results(Folder):
     """The files of one example in a folder: `<name>.csv` holds its numbers, others hold curves."""
 
     def __init__(self, folder, name):
-        self.folder, self.name = Path(folder), name
+        super().__init__(folder)
+        self.name = name
         self.by_id = {row["id"]: row for row in self.rows(name)}
 
     def rows(self, name):
-        table = Table(self.folder / f"{name}.csv")
+        table = self.table(name)
         for column in ["computed"] if "low" in table else NUMBERS:
             table.numbers(column)  # or fail
-        for column in ("id", "unit", "published", "pass"):
+        for column in ("id", "unit", "published", "pass", *([] if "low" in table else ["source"])):
             if column not in table:
                 fail(table.file, f"column {column} is missing")
         return table.rows()
-
-    def columns(self, name):
-        return Columns(Table(self.folder / f"{name}.csv"))
 
     def number(self, identity, column):
         file = self.folder / f"{self.name}.csv"
@@ -91,9 +109,33 @@ class Columns(dict):
 
 def read_results(name, description):
     """The results in the folder that the command line names."""
+    return Results(folder_argument(description), name)
+
+
+def folder_argument(description):
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", nargs="?", default="build/results", help="default: build/results")
-    return Results(parser.parse_args().folder, name)
+    return Path(parser.parse_args().folder)
+
+
+def shaded_ball(colour, size=200):
+    """An image of a sphere lit from the upper left, transparent around it."""
+    y, x = np.mgrid[1:-1:size * 1j, -1:1:size * 1j]
+    inside = x**2 + y**2
+    z = np.sqrt(np.clip(1 - inside, 0, None))
+    light = np.array([-0.45, 0.6, 0.66])
+    diffuse = np.clip(x * light[0] + y * light[1] + z * light[2], 0, None)
+    shine = np.clip(2 * diffuse * z - light[2], 0, None) ** 24
+    rgb = np.array(matplotlib.colors.to_rgb(colour))
+    image = np.empty((size, size, 4))
+    image[..., :3] = np.clip(rgb * (0.38 + 0.72 * diffuse[..., None]) + 0.35 * shine[..., None], 0, 1)
+    image[..., 3] = np.clip((1 - np.sqrt(inside)) * size / 2, 0, 1)
+    return image
+
+
+def put_ball(axes, image, x, y, radius, zorder):
+    axes.imshow(image, extent=(x - radius, x + radius, y - radius, y + radius), zorder=zorder, interpolation="bilinear",
+                aspect="equal")
 
 
 def published_point(axes, x, y, text, offset, align="left"):
@@ -103,27 +145,29 @@ def published_point(axes, x, y, text, offset, align="left"):
 
 
 def table(rows):
-    lines = ["<table><tr><th>id</th><th>published</th><th>expected</th><th>computed</th><th>unit</th><th>error</th><th>allowed</th><th></th></tr>"]
+    lines = ["<div class=\"wide\"><table><tr><th>id</th><th>source</th><th>published</th><th>expected</th><th>computed</th><th>unit</th>"
+             "<th>error</th><th>allowed</th><th></th></tr>"]
     for row in rows:
         published = f"{float(row['published']):.9g}" if row["published"] else "–"
         mark = "✓" if row["pass"] == "yes" else "✗"
-        lines.append(f"<tr><td>{html.escape(row['id'])}</td><td>{published}</td><td>{float(row['expected']):.12g}</td>"
+        lines.append(f"<tr><td>{html.escape(row['id'])}</td><td class=\"source\">{html.escape(row['source'])}</td>"
+                     f"<td>{published}</td><td>{float(row['expected']):.12g}</td>"
                      f"<td>{float(row['computed']):.12g}</td><td>{row['unit'] if row['unit'] != '1' else ''}</td>"
                      f"<td>{float(row['relative_error']):.0e}</td><td>{float(row['tolerance']):.0e}</td>"
                      f"<td class=\"{row['pass']}\">{mark}</td></tr>")
-    return "\n".join(lines + ["</table>"])
+    return "\n".join(lines + ["</table></div>"])
 
 
 def banded_table(rows):
     """Numbers with the band where each must lie; those without a band are shown, not judged."""
-    lines = ["<table><tr><th>id</th><th>published</th><th>at least</th><th>at most</th><th>computed</th><th>unit</th><th></th></tr>"]
+    lines = ["<div class=\"wide\"><table><tr><th>id</th><th>published</th><th>at least</th><th>at most</th><th>computed</th><th>unit</th><th></th></tr>"]
     for row in rows:
         published, low, high = (f"{float(row[column]):.5g}" if row[column] else "" for column in ("published", "low", "high"))
         mark = "" if not low and not high else "✓" if row["pass"] == "yes" else "✗"
         lines.append(f"<tr><td>{html.escape(row['id'])}</td><td>{published}</td><td>{low}</td><td>{high}</td>"
                      f"<td>{float(row['computed']):.5g}</td><td>{row['unit'] if row['unit'] != '1' else ''}</td>"
                      f"<td class=\"{row['pass']}\">{mark}</td></tr>")
-    return "\n".join(lines + ["</table>"])
+    return "\n".join(lines + ["</table></div>"])
 
 
 def verdict(rows):
@@ -139,10 +183,21 @@ def save(figure, folder, name, label, caption):
             f"<figcaption><b>{label}.</b> {html.escape(caption)}</figcaption></figure>")
 
 
-def write_section(folder, name, text):
-    """Writes or renews one section, and with it the page."""
-    write(folder / f"{name}_section.html", text)
-    files = [folder / f"{section}_section.html" for section in SECTIONS]
-    sections = "\n".join(file.read_text(encoding="utf-8") for file in files if file.exists())
-    write(folder / "index.html", PAGE.format(sections=sections))
+def contents(section):
+    """The entry of a section: its title and its figures."""
+    name, title = re.search(r'<section id="(.*?)">\s*<h1>(.*?)</h1>', section).groups()
+    figures = re.findall(r'<figure id="(.*?)">.*?<b>(.*?)\.</b>', section)
+    return f'<li><a href="#{name}"><b>{title}</b></a>: ' + ", ".join(f'<a href="#{i}">{label}</a>' for i, label in figures) + "</li>"
+
+
+def write_section(results, name, title, text):
+    """Writes or renews one section, with links to the files that it was made of, and with it the page and its contents."""
+    folder = results.folder
+    files = sorted(results.read + ([f"{name}.json"] if (folder / f"{name}.json").exists() else []))
+    links = ", ".join(f'<a href="{file}">{file}</a>' for file in files)
+    write(folder / f"{name}_section.html",
+          f'<section id="{name}">\n<h1>{title}</h1>\n{text}\n<p class="data">Data: {links}</p>\n</section>\n')
+    there = [file for file in (folder / f"{section}_section.html" for section in SECTIONS) if file.exists()]
+    sections = [file.read_text(encoding="utf-8") for file in there]
+    write(folder / "index.html", PAGE.format(contents="\n".join(map(contents, sections)), sections="\n".join(sections)))
     print(f"figures and {folder / 'index.html'}")

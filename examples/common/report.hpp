@@ -16,28 +16,38 @@
 
 namespace common {
 
+/// What a number must be, independent of the program that computes it.
+struct Expected {
+  double value;
+  const char* unit;
+  const char* source;  ///< equation of the document, or the closed form
+};
+
 struct CheckedNumber {
   std::string id;
-  const char* unit;
   std::optional<double> published;  ///< as the document prints it; none where it prints none
-  double expected;                  ///< closed form
-  double computed;                  ///< by the program
-  double tolerance;                 ///< on the relative error
+  Expected expected;
+  double computed;   ///< by the program
+  double tolerance;  ///< on the relative error
 
-  double relative_error() const { return std::abs(computed - expected) / std::abs(expected); }
+  double relative_error() const { return std::abs(computed - expected.value) / std::abs(expected.value); }
   bool pass() const { return relative_error() <= tolerance; }  // false for a NaN
 };
 
 using CheckedNumbers = std::vector<CheckedNumber>;
+
+inline std::string with_unit(const std::string& id, const std::string& unit) {
+  return unit == "1" ? id : id + " [" + unit + "]";
+}
 
 inline void print(const char* title, const CheckedNumbers& numbers) {
   std::printf("\n%-48s %12s %19s %19s  %5s\n", title, "published", "expected", "computed", "error");
   for (const CheckedNumber& number : numbers) {
     char published[32] = "-";
     if (number.published) std::snprintf(published, sizeof published, "%.10g", *number.published);
-    const std::string name = number.id + (*number.unit == '1' ? "" : std::string(" [") + number.unit + "]");
-    std::printf("%-48s %12s %19.12g %19.12g  %5.0e %s\n", name.c_str(), published, number.expected, number.computed,
-                number.relative_error(), number.pass() ? "" : "FAILS");
+    const std::string name = with_unit(number.id, number.expected.unit);
+    std::printf("%-48s %12s %19.12g %19.12g  %5.0e %s\n", name.c_str(), published, number.expected.value,
+                number.computed, number.relative_error(), number.pass() ? "" : "FAILS");
   }
 }
 
@@ -46,7 +56,8 @@ inline void write_json(std::ostream& out, const CheckedNumbers& numbers) {
   for (const CheckedNumber& number : numbers) {
     list.push_back({{"id", number.id},
                     {"published", number.published ? nlohmann::ordered_json(*number.published) : nullptr},
-                    {"expected", number.expected},
+                    {"expected", number.expected.value},
+                    {"source", number.expected.source},
                     {"computed", number.computed},
                     {"relative_error", number.relative_error()},
                     {"tolerance", number.tolerance},
@@ -57,12 +68,12 @@ inline void write_json(std::ostream& out, const CheckedNumbers& numbers) {
 
 /// The same with units, for a spreadsheet.
 inline void write_csv(std::ostream& out, const CheckedNumbers& numbers) {
-  out << "id,unit,published,expected,computed,relative_error,tolerance,pass\n";
+  out << "id,unit,source,published,expected,computed,relative_error,tolerance,pass\n";
   for (const CheckedNumber& number : numbers) {
-    out << number.id << ',' << number.unit << ',';
+    out << number.id << ',' << number.expected.unit << ",\"" << number.expected.source << "\",";
     if (number.published) out << *number.published;
-    out << ',' << number.expected << ',' << number.computed << ',' << number.relative_error() << ',' << number.tolerance
-        << ',' << (number.pass() ? "yes" : "no") << '\n';
+    out << ',' << number.expected.value << ',' << number.computed << ',' << number.relative_error() << ','
+        << number.tolerance << ',' << (number.pass() ? "yes" : "no") << '\n';
   }
 }
 
@@ -94,7 +105,7 @@ inline void print(const char* title, const BandedNumbers& numbers) {
     return std::string(digits);
   };
   for (const BandedNumber& number : numbers) {
-    const std::string name = number.id + (*number.unit == '1' ? "" : std::string(" [") + number.unit + "]");
+    const std::string name = with_unit(number.id, number.unit);
     std::printf("%-52s %10s %10s %10s %12.5g %s\n", name.c_str(),
                 text(number.published.value_or(std::numeric_limits<double>::infinity())).c_str(),
                 text(number.low).c_str(), text(number.high).c_str(), number.computed, number.pass() ? "" : "FAILS");

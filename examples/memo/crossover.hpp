@@ -57,9 +57,9 @@ inline void crossover(OutputFolder& folder, CheckedNumbers& numbers) {
     if (i % 200 == 199) curves.add({o, at_linear, at_hill});
   }
   curves.write_csv(folder.file("crossover.csv"));
-  numbers.push_back({"two_grains.crossover.stiffness_overlap", "m", 12.5e-3, expected::crossover_stiffness_overlap,
+  numbers.push_back({"two_grains.crossover.stiffness_overlap", 12.5e-3, expected::crossover_stiffness_overlap,
                      zero_crossing(midpoint, slope), prescribed});
-  numbers.push_back({"two_grains.crossover.force_overlap", "m", 28.2e-3, expected::crossover_force_overlap,
+  numbers.push_back({"two_grains.crossover.force_overlap", 28.2e-3, expected::crossover_force_overlap,
                      zero_crossing(overlap, difference), prescribed});
 }
 

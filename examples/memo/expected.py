@@ -82,9 +82,11 @@ print(
 // The expected results of the memo's problems, in closed form. Written by expected.py: change it there.
 #pragma once
 
+#include "common/report.hpp"
+
 namespace memo::expected {
 """
 )
 for name, value, unit, source in VALUES:
-    print(f"/// [{unit}] {source}\nconstexpr double {name} = {value:.17g};")
+    print(f'constexpr common::Expected {name}{{{value:.17g}, "{unit}", "{source}"}};')
 print("\n}  // namespace memo::expected")

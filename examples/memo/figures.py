@@ -11,9 +11,8 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from page import COMPUTED, LIGHT, OTHER, PUBLISHED, plt, published_point, read_results, save, table, verdict, write_section  # noqa: E402
+from page import COMPUTED, LIGHT, OTHER, PUBLISHED, plt, published_point, put_ball, read_results, save, shaded_ball, table, verdict, write_section  # noqa: E402
 
-import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
 
 RADII = 7.5, 5.0  # of the two grains [mm]
@@ -21,26 +20,6 @@ SUCTION_FORCE = 200e3 * np.pi * 5e-3**2  # F_max, Eq. 12 [N]
 
 
 # Parts of figures ------------------------------------------------------------------------------------------------------
-
-
-def shaded_ball(colour, size=200):
-    """An image of a sphere lit from the upper left, transparent around it."""
-    y, x = np.mgrid[1:-1:size * 1j, -1:1:size * 1j]
-    inside = x**2 + y**2
-    z = np.sqrt(np.clip(1 - inside, 0, None))
-    light = np.array([-0.45, 0.6, 0.66])
-    diffuse = np.clip(x * light[0] + y * light[1] + z * light[2], 0, None)
-    shine = np.clip(2 * diffuse * z - light[2], 0, None) ** 24
-    rgb = np.array(matplotlib.colors.to_rgb(colour))
-    image = np.empty((size, size, 4))
-    image[..., :3] = np.clip(rgb * (0.38 + 0.72 * diffuse[..., None]) + 0.35 * shine[..., None], 0, 1)
-    image[..., 3] = np.clip((1 - np.sqrt(inside)) * size / 2, 0, 1)
-    return image
-
-
-def put_ball(axes, image, x, y, radius, zorder):
-    axes.imshow(image, extent=(x - radius, x + radius, y - radius, y + radius), zorder=zorder, interpolation="bilinear",
-                aspect="equal")
 
 
 def draw_pair(axes, gap, wet, caption, moves=None, top=34):
@@ -349,8 +328,7 @@ FIGURES = [
 ]
 
 
-SECTION = """<h1>Hill memo</h1>
-<p>The test problems of D. Potyondy, <i>Hill Contact Model [version 4]</i> (2019), run through the integrator of
+SECTION = """<p>The test problems of D. Potyondy, <i>Hill Contact Model [version 4]</i> (2019), run through the integrator of
 <code>examples/dem</code>. <b>Published</b> is what the memo prints, <b>expected</b> the closed form, <b>error</b> that of computed
 against expected.</p>
 {verdict}
@@ -370,7 +348,7 @@ def main():
     rows, eight_laws = list(results.by_id.values()), results.rows("eight_laws")
     shown = [save(draw(results), results.folder, f"figure_{number}", f"Figure {number}", caption) for number, draw, caption in FIGURES]
     text = SECTION.format(verdict=verdict(rows + eight_laws), memo=table(rows), eight_laws=table(eight_laws), figures="\n".join(shown))
-    write_section(results.folder, "memo", text)
+    write_section(results, "memo", "Hill memo", text)
 
 
 if __name__ == "__main__":

@@ -47,37 +47,36 @@ inline void force_displacement(OutputFolder& folder, CheckedNumbers& numbers) {
   const ContactReading linear_unlimited =
       stages_a_and_b(linear_law(no_limit), folder.file("linear_unlimited.csv")).read();
   numbers.push_back(
-      {two + "linear.normal_force", "N", 1.8221e4, expected::linear_normal_force, linear.normal_force, prescribed});
+      {two + "linear.normal_force", 1.8221e4, expected::linear_normal_force, linear.normal_force, prescribed});
   numbers.push_back(
-      {two + "linear.shear_force", "N", 7.2884e3, expected::linear_shear_force, linear.shear_force, prescribed});
-  numbers.push_back({two + "linear.shear_unlimited", "N", 1.8039e4, expected::linear_shear_unlimited,
+      {two + "linear.shear_force", 7.2884e3, expected::linear_shear_force, linear.shear_force, prescribed});
+  numbers.push_back({two + "linear.shear_unlimited", 1.8039e4, expected::linear_shear_unlimited,
                      linear_unlimited.shear_force, prescribed});
 
   auto hill = stages_a_and_b(hill_law(friction), folder.file("hill.csv"));
   auto hill_unlimited = stages_a_and_b(hill_law(no_limit), folder.file("hill_unlimited.csv"));
   numbers.push_back(
-      {two + "hill.normal_force", "N", 1.0833e3, expected::hill_normal_force, hill.read().normal_force, prescribed});
-  numbers.push_back(
-      {two + "hill.shear_force", "N", {}, expected::hill_shear_force, hill.read().shear_force, prescribed});
-  numbers.push_back({two + "hill.shear_unlimited", "N", 1.4783e3, expected::hill_shear_unlimited,
+      {two + "hill.normal_force", 1.0833e3, expected::hill_normal_force, hill.read().normal_force, prescribed});
+  numbers.push_back({two + "hill.shear_force", {}, expected::hill_shear_force, hill.read().shear_force, prescribed});
+  numbers.push_back({two + "hill.shear_unlimited", 1.4783e3, expected::hill_shear_unlimited,
                      hill_unlimited.read().shear_force, prescribed});
 
   // The dashpots are switched on only now, so they did not contribute to the forces above. One step of motion, one of rest.
   const auto nothing = [] {};
   hill.scene.ball_law.damping.damping_constant = damping_constant;
   hill.run({0.0, 0.0, -100.0}, Vec3::Zero(), 1, nothing);
-  numbers.push_back({two + "hill.dashpot_normal.moving", "N", 3.9604e3, expected::dashpot_normal_moving,
+  numbers.push_back({two + "hill.dashpot_normal.moving", 3.9604e3, expected::dashpot_normal_moving,
                      hill.read().normal_force, prescribed});
   hill.run(Vec3::Zero(), Vec3::Zero(), 1, nothing);
-  numbers.push_back({two + "hill.dashpot_normal.stopped", "N", 3.0640e3, expected::dashpot_normal_stopped,
+  numbers.push_back({two + "hill.dashpot_normal.stopped", 3.0640e3, expected::dashpot_normal_stopped,
                      hill.read().normal_force, prescribed});
 
   hill_unlimited.scene.ball_law.damping.damping_constant = damping_constant;
   hill_unlimited.run(Vec3::Zero(), {0.0, 1000.0, 0.0}, 1, nothing);
-  numbers.push_back({two + "hill.dashpot_shear.moving", "N", 1.5960e3, expected::dashpot_shear_moving,
+  numbers.push_back({two + "hill.dashpot_shear.moving", 1.5960e3, expected::dashpot_shear_moving,
                      hill_unlimited.read().shear_force, prescribed});
   hill_unlimited.run(Vec3::Zero(), Vec3::Zero(), 1, nothing);
-  numbers.push_back({two + "hill.dashpot_shear.stopped", "N", 1.5522e3, expected::dashpot_shear_stopped,
+  numbers.push_back({two + "hill.dashpot_shear.stopped", 1.5522e3, expected::dashpot_shear_stopped,
                      hill_unlimited.read().shear_force, prescribed});
 }
 

@@ -31,14 +31,12 @@ class MoistureProblem {
     const double rewetted = release(16);
 
     path_.write_csv(folder.file("moisture.csv"));
+    numbers.push_back({"two_grains.moisture.rest_overlap", {}, expected::moisture_rest_overlap, rest, equilibrium});
     numbers.push_back(
-        {"two_grains.moisture.rest_overlap", "m", {}, expected::moisture_rest_overlap, rest, equilibrium});
+        {"two_grains.moisture.released_overlap", {}, expected::moisture_rest_overlap, released, equilibrium});
+    numbers.push_back({"two_grains.moisture.rupture_gap", {}, expected::moisture_rupture_gap, rupture, prescribed});
     numbers.push_back(
-        {"two_grains.moisture.released_overlap", "m", {}, expected::moisture_rest_overlap, released, equilibrium});
-    numbers.push_back(
-        {"two_grains.moisture.rupture_gap", "m", {}, expected::moisture_rupture_gap, rupture, prescribed});
-    numbers.push_back(
-        {"two_grains.moisture.rewetted_overlap", "m", {}, expected::moisture_rest_overlap, rewetted, equilibrium});
+        {"two_grains.moisture.rewetted_overlap", {}, expected::moisture_rest_overlap, rewetted, equilibrium});
   }
 
  private:

@@ -41,14 +41,12 @@ double shear_then_press(std::ostream& csv) {
 
 inline void appendix_a(OutputFolder& folder, CheckedNumbers& numbers) {
   numbers.push_back({"shear_update.force_history_ratio",
-                     "1",
                      {},
-                     1.0,
+                     {1.0, "1", "force kept"},
                      shear_then_press<HertzWith<contactlaws::ShearForce>>(folder.file("shear_update_force.csv")),
                      prescribed});
   numbers.push_back(
       {"shear_update.displacement_history_ratio",
-       "1",
        {},
        expected::square_root_of_2,
        shear_then_press<HertzWith<contactlaws::ShearDisplacement>>(folder.file("shear_update_displacement.csv")),
@@ -75,7 +73,7 @@ TwoGrains<Law> press_and_shear_on_arc(double mu) {
 
 struct Force {
   double published;  ///< [N]
-  double expected;   ///< [N]
+  common::Expected expected;
 };
 
 /// That path, then back to half the overlap, and to the whole again: shear forces there.
@@ -86,7 +84,7 @@ void one_of_eight_laws(const std::string& name, const Force& backed_off, const F
   const auto nothing = [] {};
   auto grains = press_and_shear_on_arc<Law>(10.0);
   const auto row = [&](const char* what, const Force& force, double computed) {
-    numbers.push_back({"eight_laws." + name + "." + what, "N", force.published, force.expected, computed, along_arc});
+    numbers.push_back({"eight_laws." + name + "." + what, force.published, force.expected, computed, along_arc});
   };
   row("normal_force", {1083.304632, expected::hill_normal_force}, grains.read().normal_force);
   row("shear_force", {1478.27164, expected::hill_shear_unlimited}, grains.read().shear_force);

@@ -213,8 +213,7 @@ FIGURES = [
      "It follows the unbalanced force (dotted: an unbalanced force that acts from one point of the curve to the next) and is below it, since motion dies down within the probe."),
 ]
 
-SECTION = """<h1>Small-strain probes on railway ballast</h1>
-<p>The triaxial probes of M. Tolomeo and G. R. McDowell, <i>Implementation of real contact behaviour in the DEM modelling of triaxial tests
+SECTION = """<p>The triaxial probes of M. Tolomeo and G. R. McDowell, <i>Implementation of real contact behaviour in the DEM modelling of triaxial tests
 on railway ballast</i> (2022), sections 3 and 4, on a sample of {grains} grains of our own shapes. Absolute moduli follow packing and size, so ratios
 between laws on one sample are judged.</p>
 {verdict}
@@ -229,7 +228,7 @@ def main():
     rows = list(results.by_id.values())
     shown = [save(draw(results), results.folder, name, label, caption) for name, label, draw, caption in FIGURES]
     grains = len(results.columns("probe_grains")["grain"])
-    write_section(results.folder, "probe", SECTION.format(verdict=verdict(rows), numbers=banded_table(rows), figures="\n".join(shown), grains=grains))
+    write_section(results, "probe", "Small-strain probes on railway ballast", SECTION.format(verdict=verdict(rows), numbers=banded_table(rows), figures="\n".join(shown), grains=grains))
 
 
 if __name__ == "__main__":

@@ -116,8 +116,7 @@ def comparison(results, name):
             f"{value('hill', 'loop_energy'):.2f} J/m³.")
 
 
-SECTION = """<h1>Class 5 specimens</h1>
-<p>The material-behaviour study of D. Potyondy, <i>Hill Contact Model [version 4]</i> (2019), section 2.3: aggregate is packed in a
+SECTION = """<p>The material-behaviour study of D. Potyondy, <i>Hill Contact Model [version 4]</i> (2019), section 2.3: aggregate is packed in a
 cylinder at 150 kPa by moving its walls inwards, and tested in triaxial compression with load-unload cycles at 0.02 % and 0.05 %
 axial strain. The linear and the hill law start from one packing. <b>Published</b> is what the memo prints. A number with a band is
 judged, one without is shown. {scope}</p>
@@ -149,7 +148,7 @@ def main():
                   + ("" if broad else " The memo shows the broad grading.")))
     shown = [save(figure, results.folder, f"class5_figure_{number}", f"Figure {number}", caption) for number, figure, caption in drawn]
     scope = "" if broad else "This is the short run: the narrow grading. <code>class5 --full</code> runs both."
-    write_section(results.folder, "class5",
+    write_section(results, "class5", "Class 5 specimens",
                   SECTION.format(scope=scope, verdict=verdict(rows), figures="\n".join(shown), numbers=banded_table(rows)))
 
 

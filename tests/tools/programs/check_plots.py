@@ -7,6 +7,7 @@ Exits with 77 (skipped) where no Python here has matplotlib.
 """
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -17,7 +18,7 @@ EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
 PLOT_PATH = EXAMPLES / "contact_path" / "plot_path.py"
 OUT = "step,fx,fy,fz\n1,0,0,1\n2,0,0,2\n"
 PATH = "dt,overlap,nx,ny,nz,vx,vy,vz\n1e-6,1e-4,0,0,1,0,0,-1\n1e-6,2e-4,0,0,1,0,0,-1\n"
-NUMBERS = "id,unit,published,expected,computed,relative_error,tolerance,pass\na,N,,1,1,0,1e-9,yes\n"
+NUMBERS = "id,unit,source,published,expected,computed,relative_error,tolerance,pass\na,N,Eq. 1,,1,1,0,1e-9,yes\n"
 FULL = Path("/dev/full")
 
 
@@ -126,6 +127,26 @@ class Figures(InTemporaryDirectory):
         self.file("ballast_curves.csv", "overlap_m\n0\n")
         self.check_refusal(self.figures("ballast", self.directory),
                            "ballast.csv: no row has the id contact_curves.transition_force")
+
+    def test_page(self):
+        """Two balls over 51 frames: each link of the page leads to a part of it or to a file."""
+        (self.directory / "drop").mkdir()
+        fields = {"diameter": "1e-2 1e-2", "velocity": "0 0 0 0 0 -1", "points": "0 0 .05 0 .01 .05"}
+        arrays = "".join(f'<DataArray Name="{name}">{text}</DataArray>' for name, text in fields.items())
+        self.file("drop/frame.vtp", f"<VTKFile>{arrays}</VTKFile>")
+        entries = "".join(f'<DataSet timestep="{i / 100}" file="frame.vtp"/>' for i in range(51))
+        self.file("drop/balls.pvd", f"<VTKFile>{entries}</VTKFile>")
+        self.file("drop/drop.csv", "time_s,energy_J,force_on_box_N\n0,1,0\n1,.5,.6\n")
+        drawn = self.run_script(EXAMPLES / "drop_figures.py", self.directory)
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+        page = (self.directory / "index.html").read_text()
+        links = re.findall('(?:href|src)="(.*?)"', page)
+        self.assertEqual(set(links), {"#drop", "#drop_frames", "#drop_energy", "drop/drop.csv", "drop_frames.png", "drop_energy.png"})
+        for link in links:
+            self.assertTrue(f'id="{link[1:]}"' in page if link[0] == "#" else (self.directory / link).exists(), link)
+
+        self.file("drop/balls.pvd", f"<VTKFile>{entries[:-9]}</VTKFile>")
+        self.check_refusal(self.run_script(EXAMPLES / "drop_figures.py", self.directory), "balls.pvd: cannot be read: ")
 
     def test_arguments(self):
         self.assertEqual(self.figures("memo", "--help").returncode, 0)
