@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/machine.hpp"
 #include "common/output_file.hpp"
 #include "common/program.hpp"
 #include "common/progress.hpp"
@@ -167,6 +168,7 @@ std::vector<StepErrors> write_trade(common::OutputFolder& folder, const Done& do
     done(static_cast<double>(all.size()) / 5.0);
   }
   increments.write_csv(folder.file("ballast_trade_increments.csv"));
+  folder.file("ballast_trade_machine.json") << common::machine().dump(1) << '\n';
   return all;
 }
 

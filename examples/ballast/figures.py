@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 from page import COMPUTED, LIGHT, OTHER, PUBLISHED, plt, read_results, save, table, verdict, write_section  # noqa: E402
 
 import numpy as np  # noqa: E402
+from files import read_json  # noqa: E402
 
 SEEDS = {1e-12: COMPUTED, 1e-6: LIGHT, 1e-3: OTHER}
 
@@ -72,6 +73,7 @@ def figure_2(results):
 
 
 def figure_trade(results):
+    machine = read_json(results.folder / "ballast_trade_machine.json")
     increments, closed = results.columns("ballast_trade_increments"), results.columns("ballast_trade_closed")
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 4.0), sharey=True, gridspec_kw={"width_ratios": (1.5, 1)})
     floor = abs(closed["relative_error"][0])
@@ -99,6 +101,8 @@ def figure_trade(results):
     right.annotate(f"increments:\n{per_step:.0f} ns a step", (2e3, 1e-6), fontsize=8, ha="right", va="center", color=COMPUTED)
     left.set(xlabel="steps of the loading", ylabel="relative error of the force at 10 µm", ylim=(1e-17, 6), xlim=(8, 1.2e6), title="Error of a loading")
     right.set(xlabel="cost of the loading [µs]", xlim=(5e-3, 2e5), title="… and its cost")
+    right.annotate(f"{machine['processor']}\n{machine['compiler']}, {machine['date']}", (1, 0), xycoords="axes fraction", xytext=(0, 6),
+                   textcoords="offset points", ha="right", fontsize=6.5, color="#606060")
     return figure
 
 

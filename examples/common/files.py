@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import os
 import sys
 from pathlib import Path
@@ -56,6 +57,13 @@ class Table:
             except ValueError:
                 fail(f"{self.file}:{number}", f"column {column} is {row[index]!r}, must be a number")
         return values
+
+
+def read_json(file):
+    try:
+        return json.loads(Path(file).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as fault:
+        fail(file, f"cannot be read: {fault}")
 
 
 def write(file, content):
