@@ -3,7 +3,7 @@
 #pragma once
 
 #define CONTACTLAWS_VERSION_MAJOR 0  ///< 0 until the interface is stable
-#define CONTACTLAWS_VERSION_MINOR 1  ///< grows with the interface
+#define CONTACTLAWS_VERSION_MINOR 2  ///< grows with the interface
 #define CONTACTLAWS_VERSION_PATCH 0  ///< grows with corrections
 
 // Two steps, so that the numbers are put in before they are quoted.
