@@ -9,7 +9,7 @@ int main() {
   const ElasticMaterial<double> granite{29e9, 0.15, 2650.0};  // E [Pa], nu [1], density [kg/m^3]
   DryHillProperties<double> properties;
   properties.friction = 0.4;
-  properties.damping_constant = damping_constant(0.7, Spring::hertz, Tension::allowed);  // restitution 0.7
+  properties.damping_constant = damping_constant<DryHill<double>>(0.7);  // restitution 0.7
   const auto law = dry_hill(properties);
   const double radius = 5e-3, mass = sphere_mass(radius, 2650.0);
   const auto pair = pair_properties(sphere(granite, radius), sphere(granite, radius));

@@ -76,12 +76,6 @@ inline constexpr Spring spring_of<LinearFrictionProperties<double>> = Spring::li
 template <>
 inline constexpr Spring spring_of<LinearSpringDashpotProperties<double>> = Spring::linear;
 
-/// Whether a law's dashpots may pull.
-template <class Damping>
-inline constexpr Tension tension_of = Tension::allowed;
-template <class T, Tension tension, ShearDashpot shear>
-inline constexpr Tension tension_of<Dashpots<T, tension, shear>> = tension;
-
 /// A material of which nothing is given yet.
 inline ElasticMaterial<double> no_material() {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();

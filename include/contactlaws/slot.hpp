@@ -54,6 +54,9 @@ struct BridgeSlot {};
 template <class T>
 struct RollingSlot {};
 
+/// Beside which springs a coefficient of restitution holds at any speed; a normal law states it as `spring`.
+enum class Spring { hertz, linear };
+
 template <class T>
 struct NormalResponse {
   T force;      ///< elastic or elastic-plastic force, compression > 0 [N]

@@ -47,6 +47,8 @@ class PlainVec3 {
 
   CONTACTLAWS_HD PlainVec3 operator-() const noexcept { return {-x(), -y(), -z()}; }
   CONTACTLAWS_HD PlainVec3& operator+=(const PlainVec3& v) noexcept { return *this = *this + v; }
+  CONTACTLAWS_HD PlainVec3& operator-=(const PlainVec3& v) noexcept { return *this = *this - v; }
+  CONTACTLAWS_HD PlainVec3& operator*=(const T& s) noexcept { return *this = *this * s; }
   CONTACTLAWS_HD friend PlainVec3 operator+(const PlainVec3& a, const PlainVec3& b) noexcept {
     return {a.x() + b.x(), a.y() + b.y(), a.z() + b.z()};
   }

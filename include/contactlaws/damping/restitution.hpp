@@ -12,13 +12,12 @@
 // critical damping (tests/laws/test_restitution.cpp). An impact realises e to 1e-6 (tests/dem/test_impact.cpp).
 #pragma once
 
+#include <type_traits>
+
 #include "contactlaws/core/validate.hpp"
 #include "contactlaws/damping/dashpots.hpp"
 
 namespace contactlaws {
-
-/// The spring beside the dashpot.
-enum class Spring { hertz, linear };
 
 namespace detail {
 
@@ -90,6 +89,22 @@ T damping_constant(const T& e, Spring spring, Tension tension) {
   using std::sqrt;
   const T per_ratio = spring == Spring::hertz ? T(sqrt(T(5))) : T(2);
   return per_ratio * damping_ratio_of_restitution<T>(e, tension);
+}
+
+/// Whether the dashpots of a law may pull.
+template <class Damping>
+inline constexpr Tension tension_of = Tension::allowed;
+/// That of Dashpots.
+template <class T, Tension tension, ShearDashpot shear>
+inline constexpr Tension tension_of<Dashpots<T, tension, shear>> = tension;
+
+/// alpha [1] of a law's own dashpots beside its own normal law: damping_constant<DryHill<double>>(0.7). Without pull, where the law adheres.
+/// @throws std::invalid_argument unless e in (0, 1]
+template <class Law>
+typename Law::Scalar damping_constant(const typename Law::Scalar& e) {
+  using Damping = std::decay_t<decltype(Law::damping)>;
+  static_assert(Damping::acts, "the law has no dashpots");
+  return damping_constant<typename Law::Scalar>(e, std::decay_t<decltype(Law::normal)>::spring, tension_of<Damping>);
 }
 
 /// The coefficient of restitution that Dashpots of constant alpha >= 0 realise.
