@@ -7,6 +7,12 @@
 #
 # Other arguments go to each Google benchmark, e.g. --benchmark_filter=DryHill.
 set -eu
+case ${1:-} in
+-h | --help)
+  sed -n '1d; /^#/!q; s/^# \{0,1\}//p' "$0"
+  exit 0
+  ;;
+esac
 cd "$(dirname "$0")/.."
 
 publish=no

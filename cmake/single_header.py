@@ -6,8 +6,8 @@ checks. The file includes Eigen (unless CONTACTLAWS_NO_EIGEN is defined) and the
 contactlaws/scalars/xsimd.hpp also xsimd.
 """
 
+import argparse
 import re
-import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -37,4 +37,10 @@ def main(headers):
 
 
 if __name__ == "__main__":
-    print("\n".join(main(sys.argv[1:] or ["contactlaws/contactlaws.hpp", "contactlaws/batch.hpp"])))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("headers", nargs="*", metavar="HEADER", default=["contactlaws/contactlaws.hpp", "contactlaws/batch.hpp"])
+    given = parser.parse_args().headers
+    for header in given:
+        if not (INCLUDE / header).is_file():
+            parser.error(f"include/ has no {header}")
+    print("\n".join(main(given)))

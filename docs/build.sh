@@ -4,6 +4,17 @@
 # build/docs/html/index.html: the README, the guides, a page for each law, and the reference of all headers, with a search.
 # A warning of Doxygen is an error.
 set -eu
+case ${1:-} in
+-h | --help)
+  sed -n '1d; /^#/!q; s/^# \{0,1\}//p' "$0"
+  exit 0
+  ;;
+'') ;;
+*)
+  echo "docs/build.sh: $1 is not --help" >&2
+  exit 2
+  ;;
+esac
 cd "$(dirname "$0")/.."
 
 # shellcheck source=cmake/install_packages.sh

@@ -3,6 +3,12 @@
 #
 # --full: the specimens of both documents at their sizes. That takes hours; Ctrl-C stops it, the same command goes on.
 set -eu
+case ${1:-} in
+-h | --help)
+  sed -n '1d; /^#/!q; s/^# \{0,1\}//p' "$0"
+  exit 0
+  ;;
+esac
 cd "$(dirname "$0")/.."
 full=
 case ${1:-} in

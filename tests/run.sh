@@ -6,6 +6,12 @@
 # --docs: builds the documentation and opens it in a browser, and nothing else.
 # --hosts: the adapters of examples/hosts, each inside its host, and nothing else. A host that cannot be had here is skipped, with a word.
 set -eu
+case ${1:-} in
+-h | --help)
+  sed -n '1d; /^#/!q; s/^# \{0,1\}//p' "$0"
+  exit 0
+  ;;
+esac
 cd "$(dirname "$0")/.."
 all=OFF
 case ${1:-} in

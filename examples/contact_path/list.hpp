@@ -15,7 +15,7 @@ namespace detail {
 
 inline void list_key(std::ostream& out, const std::string& name, const std::string& unit, const std::string& range,
                      const std::string& says) {
-  out << "      " << std::left << std::setw(18) << name << std::setw(7) << unit << std::setw(14) << range << "  "
+  out << "      " << std::left << std::setw(23) << name << std::setw(7) << unit << std::setw(14) << range << "  "
       << says << '\n';
 }
 
@@ -33,10 +33,10 @@ inline void list_keys(std::ostream& out, const KeyTable& keys) {
   for (const WordKey& key : keys.words) {
     std::string words;
     for (const std::string& word : key.words) words += (words.empty() ? "\"" : " | \"") + word + '"';
-    out << "      " << std::setw(18) << key.name << words << " (the first is the default): " << key.doc << '\n';
+    out << "      " << std::setw(23) << key.name << words << " (the first is the default): " << key.doc << '\n';
   }
   for (const FlagKey& key : keys.flags)
-    out << "      " << std::setw(18) << key.name << "true | false (the default): " << key.doc << '\n';
+    out << "      " << std::setw(23) << key.name << "true | false (the default): " << key.doc << '\n';
   if (!keys.reads.empty()) out << "      reads the pair's " << listed(keys.reads) << '\n';
 }
 

@@ -6,10 +6,12 @@
 Equation numbers are those of Potyondy (2019), Hill Contact Model, version 4, and of Tolomeo & McDowell (2022).
 """
 
+import argparse
 import csv
 from math import cos, exp, pi, sin, sqrt
 from pathlib import Path
 
+argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
 here = Path(__file__).resolve().parent
 Z = (0.0, 0.0, 1.0)
 DT = 1e-6

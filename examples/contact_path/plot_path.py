@@ -14,7 +14,10 @@ import math
 import sys
 from pathlib import Path
 
-import numpy as np
+try:
+    import numpy as np
+except ImportError:
+    sys.exit("plot_path.py: this Python has no numpy; on Debian and Ubuntu: apt-get install python3-matplotlib, and /usr/bin/python3")
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 from files import Table, fail, write_figure  # noqa: E402

@@ -90,15 +90,32 @@ inline EffectiveModuli<double> given_moduli(const ElasticMaterial<double>& a, co
   return effective_moduli(a, b);
 }
 
+/// Whether a law has dashpots, and a coefficient of restitution sets them.
+template <class Parameters>
+inline constexpr bool has_restitution = std::decay_t<decltype(LawOf<Parameters>::damping)>::acts;
+
+/// As set_parameter(), where a host knows other names too, ", young, poisson": the message about an unknown one lists all.
+/// @throws std::invalid_argument listing the names
+template <class Owner>
+void set_parameter_beside(const std::string& others, Owner& owner, const std::string& name, double value) {
+  try {
+    set_parameter(owner, name, value);
+  } catch (const std::invalid_argument& fault) {
+    const std::string known = fault.what(), none = "none";
+    const bool is_alone = known.compare(known.size() - none.size(), none.size(), none) == 0 && !others.empty();
+    reject(known + (is_alone ? " but" + others.substr(1) : others));
+  }
+}
+
 /// Sets a parameter by name; `restitution`, of an impact at which nothing pulls, sets the damping constant.
 /// @throws std::invalid_argument listing the names
 template <class Parameters>
-void set_law_parameter(Parameters& parameters, const std::string& name, double value) {
-  if (name == "restitution") {
+void set_law_parameter(Parameters& parameters, const std::string& name, double value, const std::string& others) {
+  if (has_restitution<Parameters> && name == "restitution") {
     set_parameter(parameters, "damping_constant",
                   damping_constant(value, spring_of<Parameters>, tension_of<decltype(LawOf<Parameters>::damping)>));
   } else {
-    set_parameter(parameters, name, value);
+    set_parameter_beside((has_restitution<Parameters> ? ", restitution" : "") + others, parameters, name, value);
   }
 }
 

@@ -162,7 +162,8 @@ TEST_CASE("Restitution: 200 bits agree with an independent solution of the clipp
 
 TEST_CASE("Restitution: a law's own dashpots and spring") {
   CHECK(damping_constant<DryHill<double>>(0.5) == damping_constant(0.5, Spring::hertz, Tension::allowed));
-  CHECK(damping_constant<DryHill<double, Tension::clipped>>(0.5) == damping_constant(0.5, Spring::hertz, Tension::clipped));
+  CHECK(damping_constant<DryHill<double, Tension::clipped>>(0.5) ==
+        damping_constant(0.5, Spring::hertz, Tension::clipped));
   CHECK(damping_constant<WetGrains<double>>(0.5) == damping_constant(0.5, Spring::hertz, Tension::clipped));
   CHECK(damping_constant<CohesivePowder<double>>(0.5) == damping_constant(0.5, Spring::hertz, Tension::allowed));
   CHECK(damping_constant<LinearSpringDashpot<double>>(0.5) == damping_constant(0.5, Spring::linear, Tension::allowed));

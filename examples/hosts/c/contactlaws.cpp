@@ -94,10 +94,10 @@ contactlaws_law* make(const Given& given) {
   Request<Parameters> request{};
   for (std::size_t i = 0; i < given.count; ++i) {
     const std::string name = given.names[i];
-    if (name == "restitution") {
-      set_law_parameter(request.properties, name, given.values[i]);
+    if (has_restitution<Parameters> && name == "restitution") {
+      set_law_parameter(request.properties, name, given.values[i], "");
     } else {
-      set_parameter(request, name, given.values[i]);
+      set_parameter_beside(has_restitution<Parameters> ? ", restitution" : "", request, name, given.values[i]);
     }
   }
   return new MadeLaw<LawOf<Parameters>>(request.materials.moduli(), make_law(request.properties));

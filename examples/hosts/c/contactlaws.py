@@ -49,6 +49,8 @@ def _checked(failed):
 class Law:
     def __init__(self, name=None, file=None, **parameters):
         if file is not None:
+            if not hasattr(_face, "contactlaws_read"):
+                raise RuntimeError("this libcontactlaws.so reads no files: it was built without contactlaws_toml.cpp")
             self._law = _declare("read", c_void_p, c_char_p)(os.fsencode(file))
         else:
             count = len(parameters)

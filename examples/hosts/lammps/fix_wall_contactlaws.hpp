@@ -73,7 +73,8 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
           require_in(Range::not_negative(), value, "wall", "wet", "m");
           wet_gap_ = value;
         } else {
-          set_law_parameter(parameters, name, value);
+          set_law_parameter(parameters, name, value,
+                            std::string(", young, poisson, wall_young, wall_poisson") + (bridges ? ", wet" : ""));
         }
       }
       if (sides_ == 2 && motion_.shears() && motion_.axis() == axis_) fail("a plane shears along itself");

@@ -47,7 +47,8 @@ class TypePairs {
       require_in(Range::not_negative(), value, "pair_coeff", "wet", "m");
       (*this)(i, j).wet_gap = value;
     } else {
-      set_law_parameter((*this)(i, j).parameters, name, value);
+      set_law_parameter((*this)(i, j).parameters, name, value,
+                        std::string(", young, poisson") + (has_bridge<LawOf<Parameters>> ? ", wet" : ""));
     }
   }
   /// Makes law and moduli of what is set.

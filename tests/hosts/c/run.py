@@ -246,7 +246,7 @@ class Contract(Check):
     def test_what_is_wrong_is_named(self):
         hill = {"suction": 1e5, **GRANITE}
         self.assert_refused(lambda: Law("dry_hil"), "no law 'dry_hil'", "there are:", "dry_hill", "rough_ballast")
-        self.assert_refused(lambda: Law("dry_hill", friktion=1), "no parameter 'friktion'", "friction", "damping_constant", "young2")
+        self.assert_refused(lambda: Law("dry_hill", friktion=1), "no parameter 'friktion'", "friction", "damping_constant", "young2", "restitution")
         self.assert_refused(lambda: Law("dry_hill", friction=-1, **GRANITE), "friction is -1", "[0, inf)")
         self.assert_refused(lambda: Law("dry_hill", friction=0.4), "young is missing, must lie in (0, inf) Pa")
         self.assert_refused(lambda: Law("dry_hill", restitution=1.2, **GRANITE), "restitution")
