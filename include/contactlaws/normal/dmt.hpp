@@ -30,7 +30,7 @@ struct Dmt {
   T work_of_adhesion = T(0);  ///< w [J/m^2]
 
   struct State {};
-  static constexpr Spring spring = Spring::hertz;
+  static constexpr Spring spring = Spring::hertz;  ///< for a coefficient of restitution
   static constexpr const char* name = "Dmt";
   static constexpr std::array<Parameter<Dmt, T>, 1> parameters() {
     return {{{"work_of_adhesion", "J/m^2", &Dmt::work_of_adhesion, Range::not_negative()}}};

@@ -38,7 +38,7 @@ struct Hertz {
   using Rebind = Hertz<U>;
 
   struct State {};
-  static constexpr Spring spring = Spring::hertz;
+  static constexpr Spring spring = Spring::hertz;  ///< for a coefficient of restitution
   static constexpr const char* name = "Hertz";
   static constexpr std::array<Parameter<Hertz, T>, 0> parameters() { return {}; }
   static constexpr std::array<StateValue, 0> state_values() { return {}; }

@@ -45,7 +45,7 @@ struct Jkr {
   struct State {
     T in_contact = T(0);  ///< 1 while the contact holds, else 0
   };
-  static constexpr Spring spring = Spring::hertz;
+  static constexpr Spring spring = Spring::hertz;  ///< for a coefficient of restitution
   static constexpr const char* name = "Jkr";
   static constexpr std::array<Parameter<Jkr, T>, 1> parameters() {
     return {{{"work_of_adhesion", "J/m^2", &Jkr::work_of_adhesion, Range::not_negative()}}};

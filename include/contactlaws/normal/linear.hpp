@@ -33,7 +33,7 @@ struct LinearSpring {
   T normal_stiffness = T(0);  ///< k [N/m]
 
   struct State {};
-  static constexpr Spring spring = Spring::linear;
+  static constexpr Spring spring = Spring::linear;  ///< for a coefficient of restitution
   static constexpr const char* name = "LinearSpring";
   static constexpr std::array<Parameter<LinearSpring, T>, 1> parameters() {
     return {{{"normal_stiffness", "N/m", &LinearSpring::normal_stiffness, Range::positive()}}};
@@ -58,7 +58,7 @@ struct LinearModulus {
   T modulus = T(0);  ///< effective modulus E [Pa]
 
   struct State {};
-  static constexpr Spring spring = Spring::linear;
+  static constexpr Spring spring = Spring::linear;  ///< for a coefficient of restitution
   static constexpr const char* name = "LinearModulus";
   static constexpr std::array<Parameter<LinearModulus, T>, 1> parameters() {
     return {{{"modulus", "Pa", &LinearModulus::modulus, Range::positive()}}};
