@@ -78,7 +78,8 @@ def figure_6(results):
     for identity, text in (("E0_elasto_plastic", "paper, elasto-plastic: 128"), ("E0_elastic", "paper, elastic: 90")):
         level = results.published(f"probe.{identity}") / 1e6
         axes.plot([1e-5], [level], "o", markersize=8, markerfacecolor="none", markeredgecolor=PUBLISHED, markeredgewidth=1.6)
-        axes.annotate(text, (1e-5, level), xytext=(-8, -4), textcoords="offset points", ha="right", va="top", fontsize=8, color="#404040")
+        axes.annotate(text, (1e-5, level), xytext=(-8, -4), textcoords="offset points", ha="right", va="top", fontsize=8, color="#404040",
+                      bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5}, zorder=6)
     top = max(results.computed(f"probe.E0_{law}") for law in ("hertz", "elasto_plastic")) / 1e6
     axes.set(xlabel=STRAIN, ylabel="tangent modulus [MPa]", xlim=(1e-7, 1e-1), ylim=(0, 1.45 * top),
              title="One sample, three laws: the elasto-plastic one begins stiff and ends with the elastic one")
