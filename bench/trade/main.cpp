@@ -9,10 +9,10 @@
 //
 // Exit status: 0; 1 if no composition is within the tolerance, or a variant exceeds its rounding bound (variants.hpp); 2 for a
 // fault in the input, which it names, and then nothing is written; 130 after Ctrl-C.
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 
+#include "bench/machine.hpp"
 #include "common/program.hpp"
 #include "contactlaws/scalars/xsimd.hpp"
 #include "measurement.hpp"
@@ -30,21 +30,6 @@ struct Arguments {
   double tolerance = 1e-3;
   int repetitions = 11;
 };
-
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.compare(0, 10, "model name") == 0) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-/// YYYY-MM-DD, UTC
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  char text[11];
-  std::strftime(text, sizeof(text), "%Y-%m-%d", std::gmtime(&now));
-  return text;
-}
 
 int measure(const Arguments& arguments) {
   const std::string directory = arguments.directory.empty() ? "build/results" : arguments.directory;
@@ -68,9 +53,9 @@ int measure(const Arguments& arguments) {
     }
   }
   write_table(folder, rows,
-              {{"processor", processor()},
+              {{"processor", bench::processor()},
                {"compiler", TRADE_COMPILER},
-               {"date", today()},
+               {"date", bench::today()},
                {"lanes", contactlaws::ScalarTraits<contactlaws::PackOf<double>::type>::lanes}});
   std::cout << "written: " << directory << "/trade.csv and trade.json, " << rows.size() << " rows\n";
   bool all_within = true;
