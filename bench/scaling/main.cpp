@@ -68,9 +68,11 @@ Row measure(const std::string& packing, const std::vector<Grain>& grains, double
   // The clock ticks in microseconds: a thousand grains take 30 a step.
   const int steps = std::max(1, static_cast<int>(1e5 / count));
   Row row{packing, grains.size(), listed / count, touching / count, 0, 0, 0, 0, 0};
-  row.step_ns = nanoseconds(5, 51, [&] {
-                  for (int i = 0; i < steps; ++i) scene.step();
-                }) / (listed * steps);
+  row.step_ns = nanoseconds(5, 51,
+                            [&] {
+                              for (int i = 0; i < steps; ++i) scene.step();
+                            }) /
+                (listed * steps);
   row.search_ns = nanoseconds(1, 3, [&] { scene.resume(); }) / listed;
   row.bytes = static_cast<double>(scene.ball_contacts.bytes()) / listed;
   // The ends of a specimen move at half the rate times its length, and a list lasts until a grain has moved half its margin.
@@ -89,14 +91,15 @@ int run(const std::string& folder, int most) {
   std::string table = "packing,grains,contacts,touching,step_ns,search_ns,bytes,list_steps,search_share\n";
   const auto add = [&table](const Row& row) {
     std::ostringstream line;
-    line << std::setprecision(3) << row.packing << ',' << row.grains << ',' << row.contacts << ',' << row.touching << ',' << row.step_ns
-         << ',' << row.search_ns << ',' << row.bytes << ',' << row.list_steps << ',' << row.search_share << '\n';
+    line << std::setprecision(3) << row.packing << ',' << row.grains << ',' << row.contacts << ',' << row.touching
+         << ',' << row.step_ns << ',' << row.search_ns << ',' << row.bytes << ',' << row.list_steps << ','
+         << row.search_share << '\n';
     std::cout << line.str() << std::flush;
     table += line.str();
   };
   for (const int along : {10, 22, 46, 100})
     if (along * along * along <= most) add(measure("lattice", lattice(along), 2.0 * smallest_radius * along));
-  // Solid shares at which each grain touches five to six others.
+  // Solid shares at which each grain touches five to seven others.
   for (const Kind& kind : {Kind{"1:1", 1.0, 0.64, 1500}, {"1:5", 5.0, 0.68, 1500}, {"1:10", 10.0, 0.70, 2000}}) {
     const Cube cube = fill_cube(bench::granite<Law>(), 1000, kind.ratio, kind.solid, kind.steps);
     for (const std::array<int, 3>& along : {std::array<int, 3>{1, 1, 1}, {2, 2, 2}, {5, 5, 4}, {10, 10, 10}})
@@ -104,13 +107,12 @@ int run(const std::string& folder, int most) {
         add(measure(kind.name, repeat(cube, along), cube.edge * along[2]));
   }
   std::ofstream(folder + "/dem_scaling.csv") << table;
-  std::ofstream(folder + "/dem_scaling.json")
-      << nlohmann::json{{"processor", bench::processor()},
-                        {"compiler", SCALING_COMPILER},
-                        {"date", bench::today()},
-                        {"lanes", decltype(Scene::ball_contacts)::lanes}}
-             .dump(1)
-      << '\n';
+  std::ofstream(folder + "/dem_scaling.json") << nlohmann::json{{"processor", bench::processor()},
+                                                                {"compiler", SCALING_COMPILER},
+                                                                {"date", bench::today()},
+                                                                {"lanes", decltype(Scene::ball_contacts)::lanes}}
+                                                     .dump(1)
+                                              << '\n';
   return 0;
 }
 
@@ -123,7 +125,8 @@ int main(int argc, char** argv) {
   std::string folder = "build/results";
   int most = 1'000'000;
   app.add_option("FOLDER", folder, "where the results go (default: build/results)");
-  app.add_option("--most", most, "grains of the largest packing (default: 1000000)")->check(CLI::Range(1000, 1'000'000));
+  app.add_option("--most", most, "grains of the largest packing (default: 1000000)")
+      ->check(CLI::Range(1000, 1'000'000));
   CLI11_PARSE(app, argc, argv);
   return scaling::run(folder, most);
 }

@@ -47,22 +47,26 @@ Cube fill_cube(const Law& law, int count, double ratio, double solid, int steps)
   scene.ball_law.shear.friction = scene.wall_law.shear.friction = 0.0;
   scene.local_damping = 0.5;
   scene.log = nullptr;  // grains overlap
-  for (const dem::Wall& wall : dem::box_of_walls(contactlaws::plane(granite).rigid(), Vec3::Zero(), Vec3::Constant(cube.edge)))
+  for (const dem::Wall& wall :
+       dem::box_of_walls(contactlaws::plane(granite).rigid(), Vec3::Zero(), Vec3::Constant(cube.edge)))
     scene.add(wall);
   const int sites = static_cast<int>(std::ceil(std::cbrt(count) - 1e-9));  // along an edge
   for (int i = 0; i < count; ++i) {
     const Vec3 site(i % sites, i / sites % sites, i / sites / sites), shift(uniform(), uniform(), uniform());
-    scene.add(dem::Ball{contactlaws::sphere(granite, radii[static_cast<std::size_t>(i)]), (site + shift) * (cube.edge / sites)});
+    scene.add(dem::Ball{contactlaws::sphere(granite, radii[static_cast<std::size_t>(i)]),
+                        (site + shift) * (cube.edge / sites)});
   }
   for (int step = 0; step < steps; ++step) {
     if (step % 10 == 0) {
       scene.time_step = 0.5 * dem::stable_time_step(scene);
       if (step < 100)  // deep overlaps would throw grains out
-        for (std::size_t b = 0; b < scene.balls.size(); ++b) scene.balls.velocity[b] = scene.balls.spin[b] = Vec3::Zero();
+        for (std::size_t b = 0; b < scene.balls.size(); ++b)
+          scene.balls.velocity[b] = scene.balls.spin[b] = Vec3::Zero();
     }
     scene.step();
   }
-  for (std::size_t b = 0; b < scene.balls.size(); ++b) cube.grains.push_back({scene.balls.radius[b], scene.balls.position[b]});
+  for (std::size_t b = 0; b < scene.balls.size(); ++b)
+    cube.grains.push_back({scene.balls.radius[b], scene.balls.position[b]});
   return cube;
 }
 
