@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the benchmarks and runs them, on a fresh Debian or Ubuntu too:
 #
-#   sh bench/run.sh               laws, batches and the trade: tables and charts in build/results
+#   sh bench/run.sh               laws, batches, the trade and the step of examples/dem: tables and charts in build/results
 #   sh bench/run.sh --publish     the same, copied to bench/results/<processor>
 #   sh bench/run.sh --peers       LAMMPS too, installed if it is not there, in turn with our own step
 #
@@ -64,12 +64,17 @@ for python in python3 /usr/bin/python3; do
 done
 "$python" bench/trade/chart.py $results
 
+# A million grains need 3 GB.
+on_one_core build/bench/bin/dem_scaling $results
+"$python" bench/scaling/chart.py $results
+
 if [ $peers = yes ]; then sh bench/peers/run.sh build/bench $results; fi
 
 if [ $publish = yes ]; then
   processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1 | tr -cs '[:alnum:]\n' '-' | sed 's/^-//; s/-$//')
   folder=bench/results/${processor:-unknown-processor}
   mkdir -p "$folder"
+  cp $results/dem_scaling.csv $results/dem_scaling.json $results/dem_scaling.png "$folder"
   cp $results/trade.csv $results/trade.json $results/trade_*.png $results/replay_grains.txt $results/instructions.csv "$folder"
   if [ $peers = yes ]; then cp $results/peers.csv "$folder"; fi
   for name in bench_laws bench_pohrt_popov bench_class5 bench_probe bench_batch_x86-64 bench_batch_x86-64-v3 bench_batch_x86-64-v4; do

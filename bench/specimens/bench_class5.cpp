@@ -41,7 +41,7 @@ std::unique_ptr<Vessel<DryLaw>> at_rest(Packing packing, bool shuffled) {
     std::mt19937_64 engine(1);
     std::shuffle(packing.grains.begin(), packing.grains.end(), engine);
   } else {
-    sort_in_space(packing.grains);
+    dem::sort_in_space(packing.grains);
   }
   auto vessel = std::make_unique<Vessel<DryLaw>>(hill_law(), packing.size, packing.grains);
   for (int step = 0; step < 1000; ++step) {

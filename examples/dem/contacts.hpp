@@ -86,6 +86,16 @@ class Contacts {
   std::vector<Row> couple;   ///< on body 2 [N m], of a law with a rolling slot
 
   std::size_t size() const { return size_; }
+  /// Memory of the list [bytes].
+  std::size_t bytes() const {
+    const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
+    std::size_t sum = of(bodies) + of(force) + of(turning) + of(couple) + of(unlisted_);
+    for (const Columns* history : {&before_, &now_})
+      for (const std::vector<double>& column : *history) sum += of(column);
+    pair_.map<double>([&](const std::vector<double>& column) { return sum += of(column), 0.0; });
+    for (const ContactsOfBody* list : {&of_first_, &of_second_}) sum += of(list->start) + of(list->contacts);
+    return sum;
+  }
   std::size_t first(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].first); }
   std::size_t second(std::size_t contact) const { return static_cast<std::size_t>(bodies[contact].second); }
 

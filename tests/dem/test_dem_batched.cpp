@@ -1,4 +1,6 @@
 // Contacts of examples/dem in packs give the results of contacts one at a time, for any number of threads.
+#include <thread>
+
 #include "catch.hpp"
 #include "contactlaws/laws.hpp"
 #include "examples/dem/simulation.hpp"
@@ -115,6 +117,39 @@ TEST_CASE("any number of threads gives the same bits") {
     CHECK(largest_difference(alone, shared) == 0.0);
     for (std::size_t w = 0; w < alone.walls.size(); ++w) CHECK(alone.walls[w].force == shared.walls[w].force);
   }
+}
+
+TEST_CASE("scenes on threads of their own, whose number of threads changes, give the bits of one thread") {
+  const auto run = [](const std::vector<int>& threads) {
+    dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.4, 0.1));
+    fill(scene, 61);
+    for (const int number : threads) {
+      scene.threads = number;
+      for (int step = 0; step < 50; ++step) scene.step();
+    }
+    return scene;
+  };
+  const auto alone = run({1, 1, 1, 1});
+  std::vector<double> differences(2, 1.0);
+  std::vector<std::thread> users;
+  for (double& difference : differences)
+    users.emplace_back([&] { difference = largest_difference(alone, run({2, 3, 1, 2})); });
+  for (std::thread& user : users) user.join();
+  CHECK(differences == std::vector<double>{0.0, 0.0});
+}
+
+TEST_CASE("the memory of a list is that of its columns") {
+  dem::Simulation<DryHill<double>> scene(test::dry_hill<double>(0.4));
+  fill(scene, 64);
+  scene.skin = 2.0;  // none touch yet
+  scene.start();
+  const auto& list = scene.ball_contacts;
+  REQUIRE(list.size() > 20);
+  // Two ids, two histories, two rows; and at most four times that for the lists by body, properties and room to grow.
+  const std::size_t least =
+      list.size() * (sizeof(dem::Pair) + 2 * 8 * DryHill<double>::state_size + 2 * sizeof(dem::Row));
+  CHECK(list.bytes() >= least);
+  CHECK(list.bytes() <= 5 * least);
 }
 
 TEST_CASE("a scene without contacts, without balls, and with more threads than either") {

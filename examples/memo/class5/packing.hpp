@@ -41,7 +41,7 @@ inline std::vector<Grain> cloud(const PackingSettings& settings) {
     grains.push_back(
         {radius, Vec3(distance * std::cos(angle), distance * std::sin(angle), random.uniform(-half, half))});
   }
-  sort_in_space(grains);
+  dem::sort_in_space(grains);
   return grains;
 }
 

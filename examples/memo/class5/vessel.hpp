@@ -8,7 +8,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "contactlaws/laws.hpp"
@@ -17,6 +16,7 @@
 #include "dem/energy_watch.hpp"
 #include "dem/servo.hpp"
 #include "dem/settle.hpp"
+#include "dem/spatial_order.hpp"
 #include "grading.hpp"
 
 namespace class5 {
@@ -93,17 +93,6 @@ inline void from_json(const nlohmann::json& json, Packing& packing) {
   packing = {{json.at("height"), json.at("radius")}, {}, json.at("load")};
   for (const nlohmann::json& grain : json.at("grains"))
     packing.grains.push_back({grain.at(0), grain.at(1).get<Vec3>()});
-}
-
-/// Grains that are near each other in space become near each other in memory: halves the time of a step where they are many.
-inline void sort_in_space(std::vector<Grain>& grains) {
-  double edge = 0.0;  // of a cell
-  for (const Grain& grain : grains) edge += 4.0 * grain.radius / static_cast<double>(grains.size());
-  const auto cell = [edge](const Grain& grain) {
-    const auto index = [edge](double x) { return std::floor(x / edge); };
-    return std::make_tuple(index(grain.position.z()), index(grain.position.y()), index(grain.position.x()));
-  };
-  std::stable_sort(grains.begin(), grains.end(), [&](const Grain& a, const Grain& b) { return cell(a) < cell(b); });
 }
 
 template <class Law>
