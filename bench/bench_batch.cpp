@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact_arrays.hpp"
-#include "contactlaws/scalars/xsimd.hpp"
+#include "passes.hpp"
 #include "runs_here.hpp"
 
 namespace {
@@ -25,48 +24,15 @@ void count(benchmark::State& run, std::size_t contacts, std::size_t bytes) {
                                                  benchmark::Counter::OneK::kIs1000);
 }
 
-template <class Law>
-struct Stored {
-  PairProperties<typename Law::Scalar> pair;
-  ContactKinematics<typename Law::Scalar> kinematics;
-  typename Law::State state;
-  Vec3<typename Law::Scalar> force;
-};
-
-template <class Law>
-void one_by_one(benchmark::State& run, const Law& law, std::size_t contacts, const Mix& mix) {
-  using T = typename Law::Scalar;
-  std::vector<Stored<Law>> stored;
-  for (const Contact& c : make_contacts(contacts, mix))
-    stored.push_back({c.pair.cast<T>(), c.there.cast<T>(), first_state<Law>(c), Vec3<T>(T(0), T(0), T(0))});
+/// Steps all contacts once an iteration.
+template <template <class> class Pass, class Law>
+void step_all(benchmark::State& run, const Law& law, std::size_t contacts, const Mix& mix) {
+  Pass<Law> pass(make_contacts(contacts, mix));
   for (auto _ : run) {
-    for (Stored<Law>& s : stored) {
-      auto step = law.step(s.pair, s.kinematics, s.state);
-      s.state = step.state;
-      s.force = step.force;
-      s.kinematics.dt = -s.kinematics.dt;
-    }
+    pass(law);
     benchmark::ClobberMemory();
   }
-  count(run, contacts, 0);
-}
-
-/// Packs are loaded from one cache line each.
-template <class T>
-using AlignedArray = std::vector<T, xsimd::aligned_allocator<T, 64>>;
-
-template <class Law>
-void batched(benchmark::State& run, const Law& law, std::size_t contacts, const Mix& mix) {
-  ContactArrays<Law, AlignedArray<typename Law::Scalar>> arrays(make_contacts(contacts, mix));
-  const ContactBatch<Law> forwards = arrays.batch(true);
-  const ContactBatch<Law> backwards = arrays.batch(false);
-  bool even = true;
-  for (auto _ : run) {
-    evaluate(law, even ? forwards : backwards);
-    even = !even;
-    benchmark::ClobberMemory();
-  }
-  count(run, contacts, bytes_per_contact<Law>());
+  count(run, contacts, Pass<Law>::bytes_per_contact);
 }
 
 /// STREAM's triad (McCalpin 1995), the yardstick of memory: a = b + s c.
@@ -95,12 +61,12 @@ void add(const std::string& name, const Law& law, const Mix& mix) {
   const auto put = [&name](const char* what, const auto& measure) {
     benchmark::RegisterBenchmark((std::string(CONTACTLAWS_BENCH_ARCH "/") + name + what).c_str(), measure);
   };
-  put("/double/scalar/1024", with(one_by_one<Law>, law, in_cache));
-  put("/double/batch/1024", with(batched<Law>, law, in_cache));
-  put("/double/batch/1e6", with(batched<Law>, law, in_memory));
-  put("/float/scalar/1024", with(one_by_one<Float>, in_float, in_cache));
-  put("/float/batch/1024", with(batched<Float>, in_float, in_cache));
-  put("/float/batch/1e6", with(batched<Float>, in_float, in_memory));
+  put("/double/scalar/1024", with(step_all<OneByOne, Law>, law, in_cache));
+  put("/double/batch/1024", with(step_all<Batched, Law>, law, in_cache));
+  put("/double/batch/1e6", with(step_all<Batched, Law>, law, in_memory));
+  put("/float/scalar/1024", with(step_all<OneByOne, Float>, in_float, in_cache));
+  put("/float/batch/1024", with(step_all<Batched, Float>, in_float, in_cache));
+  put("/float/batch/1e6", with(step_all<Batched, Float>, in_float, in_memory));
 }
 
 }  // namespace

@@ -45,13 +45,12 @@ class ContactArrays {
       force_.emplace_back(contacts.size(), T(0));
       couple_.emplace_back(contacts.size(), T(0));
     }
-    for (std::size_t i = 0; i < Law::state_size; ++i)
-      state_.push_back(column([i](const Contact& c) {
-        std::array<double, Law::state_size> values;
-        using Reference = typename Law::template Rebind<double>;
-        Reference::store(first_state<Reference>(c), values.data());
-        return values[i];
-      }));
+    state_.assign(Law::state_size, Array(contacts.size(), T(0)));
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      std::array<T, Law::state_size> values;
+      Law::store(first_state<Law>(contacts[c]), values.data());
+      for (std::size_t i = 0; i < values.size(); ++i) state_[i][c] = values[i];
+    }
     young_ = static_cast<T>(contacts.front().pair.effective_young);
     shear_ = static_cast<T>(contacts.front().pair.effective_shear);
     dt_ = static_cast<T>(contacts.front().there.dt);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the benchmarks and runs them, on a fresh Debian or Ubuntu too:
 #
-#   sh bench/run.sh               laws, batches, the trade and the step of examples/dem: tables and charts in build/results
+#   sh bench/run.sh               laws, batches, limits, the trade and the step of examples/dem: tables and charts in build/results
 #   sh bench/run.sh --publish     the same, copied to bench/results/<processor>
 #   sh bench/run.sh --peers       LAMMPS too, installed if it is not there, in turn with our own step
 #
@@ -53,6 +53,9 @@ for benchmark in build/bench/bin/bench_*; do
     --benchmark_min_time=0.02 --benchmark_report_aggregates_only=true "$@"
 done
 
+# A header and the rows of each instruction set.
+for limits in build/bench/bin/limits_*; do on_one_core "$limits"; done | awk 'NR == 1 || !/^instructions,/' > $results/limits.csv
+
 on_one_core build/bench/bin/trade bench/trade/laws/*.toml -o $results
 build/bench/bin/record_grains $results/grains.csv
 on_one_core build/bench/bin/trade --replay $results/grains.csv --law bench/trade/record/grains.toml | tee $results/replay_grains.txt
@@ -74,7 +77,7 @@ if [ $publish = yes ]; then
   processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1 | tr -cs '[:alnum:]\n' '-' | sed 's/^-//; s/-$//')
   folder=bench/results/${processor:-unknown-processor}
   mkdir -p "$folder"
-  cp $results/dem_scaling.csv $results/dem_scaling.json $results/dem_scaling.png "$folder"
+  cp $results/dem_scaling.csv $results/dem_scaling.json $results/dem_scaling.png $results/limits.csv "$folder"
   cp $results/trade.csv $results/trade.json $results/trade_*.png $results/replay_grains.txt $results/instructions.csv "$folder"
   if [ $peers = yes ]; then cp $results/peers.csv "$folder"; fi
   for name in bench_laws bench_pohrt_popov bench_class5 bench_probe bench_batch_x86-64 bench_batch_x86-64-v3 bench_batch_x86-64-v4; do

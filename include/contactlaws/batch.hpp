@@ -139,10 +139,10 @@ CONTACTLAWS_HD void step_pack(const typename Law::template Rebind<Pack>& law, co
   using PackLaw = typename Law::template Rebind<Pack>;
   const auto input = gather(range);
   std::array<Pack, Law::state_size> values{};
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = range.load(state[i]);
+  for_each_index<Law::state_size>([&](std::size_t i) CONTACTLAWS_INLINE_LAMBDA { values[i] = range.load(state[i]); });
   const auto step = law.step(input.pair, input.kinematics, PackLaw::load(values.data()));
   PackLaw::store(step.state, values.data());
-  for (std::size_t i = 0; i < values.size(); ++i) range.store(next[i], values[i]);
+  for_each_index<Law::state_size>([&](std::size_t i) CONTACTLAWS_INLINE_LAMBDA { range.store(next[i], values[i]); });
   scatter(range, input, step);
 }
 

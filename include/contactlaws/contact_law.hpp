@@ -268,16 +268,15 @@ struct ContactLaw {
   /// The same for the open lanes of a pack in which other lanes touch.
   CONTACTLAWS_HD static void mask_open_lanes(const Mask<T>& open, Step<T, State>& result) noexcept {
     if (!any<T>(open)) return;
-    const auto clear = [&open](Vec3<T>& v) {
-      for (int i = 0; i < 3; ++i) v[i] = select<T>(open, T(0), v[i]);
-    };
+    const auto cleared = [&open](const T& x) { return select<T>(open, T(0), x); };
+    const auto clear = [&cleared](Vec3<T>& v) { v = Vec3<T>(cleared(v.x()), cleared(v.y()), cleared(v.z())); };
     result.sliding = result.sliding && negate<T>(open);
-    result.normal_elastic = select<T>(open, T(0), result.normal_elastic);
-    result.normal_force = select<T>(open, T(0), result.normal_force);
+    result.normal_elastic = cleared(result.normal_elastic);
+    result.normal_force = cleared(result.normal_force);
     clear(result.force);
     clear(result.shear_force);
-    result.friction_work = select<T>(open, T(0), result.friction_work);
-    result.dashpot_work = select<T>(open, T(0), result.dashpot_work);
+    result.friction_work = cleared(result.friction_work);
+    result.dashpot_work = cleared(result.dashpot_work);
     if constexpr (Rolling::acts) clear(result.couple);
     if constexpr (!outlives_separation) reset<Normal>(open, result.state);
     reset<Shear>(open, result.state);
@@ -291,7 +290,8 @@ struct ContactLaw {
       constexpr std::size_t count = Slot::state_values().size();
       T values[count];
       detail::copy_values<T, count>(values, &of_slot);
-      for (T& value : values) value = select<T>(lanes, T(0), value);
+      detail::for_each_index<count>([&](std::size_t i)
+                                        CONTACTLAWS_INLINE_LAMBDA { values[i] = select<T>(lanes, T(0), values[i]); });
       detail::copy_values<T, count>(&of_slot, values);
     }
   }

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -84,11 +83,21 @@ template <class Slot, class U>
 inline constexpr bool prepares<Slot, U, std::void_t<decltype(std::declval<Slot&>().prepare()), decltype(U(0) * U(0))>> =
     true;
 
-/// Copies `count` values of T from or to a State, one by one: for a whole State of packs GCC calls memcpy.
+template <class Call, std::size_t... i>
+CONTACTLAWS_HD void for_each_index([[maybe_unused]] const Call& call, std::index_sequence<i...>) noexcept {
+  (call(i), ...);
+}
+/// call(0) to call(count - 1). GCC unrolls a loop too late: by then it has put what the loop indexes in memory.
+template <std::size_t count, class Call>
+CONTACTLAWS_HD void for_each_index(const Call& call) noexcept {
+  for_each_index(call, std::make_index_sequence<count>());
+}
+
+/// Copies `count` values of T from or to a State, which holds nothing else. With memcpy GCC keeps a State of packs in memory.
 template <class T, std::size_t count>
 CONTACTLAWS_HD void copy_values(void* to, const void* from) noexcept {
-  for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(static_cast<char*>(to) + i * sizeof(T), static_cast<const char*>(from) + i * sizeof(T), sizeof(T));
+  for_each_index<count>([=](std::size_t i)
+                            CONTACTLAWS_INLINE_LAMBDA { static_cast<T*>(to)[i] = static_cast<const T*>(from)[i]; });
 }
 
 }  // namespace detail

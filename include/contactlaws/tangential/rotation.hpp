@@ -52,6 +52,21 @@ struct HalfTwist {
   }
 };
 
+/// sqrt(1 + x) - 1 of x >= 0. Up to 1e-4, a turn by half a degree, no root is needed: the series' next term is 5e-18 of it.
+template <class T>
+CONTACTLAWS_HD T root_gain(const T& x) noexcept {
+  using std::sqrt;
+  const auto by_root = [&x] { return T(x / (T(1) + T(sqrt(T(T(1) + x))))); };
+  if constexpr (std::numeric_limits<typename ScalarTraits<T>::Lane>::digits > 53) {
+    return by_root();
+  } else {
+    const T series = x * (T(T(1) / T(2)) - x * (T(T(1) / T(8)) - x * (T(T(1) / T(16)) - x * T(T(5) / T(128)))));
+    const Mask<T> large = x > T(1e-4F);
+    if (!any<T>(large)) return series;
+    return select<T>(large, by_root(), series);
+  }
+}
+
 }  // namespace detail
 
 template <class T>
@@ -87,9 +102,7 @@ struct ProjectRestore {
     const Mask<T> shorter = kept > T(0) && lost > kept * T(std::numeric_limits<Lane>::epsilon() / Lane(1024));
     if (!any<T>(shorter)) return shear - normal * out_of_plane;
     // The restored length is a small correction: adding it to 1 first would lose it to rounding at every step.
-    const T length = select<T>(shorter, kept, T(1));
-    const std::array<T, 2> roots = sqrt_pair<T>(length, T(length + lost));
-    const T gain = select<T>(shorter, lost, T(0)) / (length + roots[0] * roots[1]);
+    const T gain = detail::root_gain<T>(T(select<T>(shorter, lost, T(0)) / select<T>(shorter, kept, T(1))));
     const T away = out_of_plane + out_of_plane * gain;
     return shear + (shear * gain - normal * away);
   }
