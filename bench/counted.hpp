@@ -65,7 +65,7 @@ class Counted {
   using Mask = typename Traits::Mask;
 
   Counted() = default;
-  Counted(const Pack& pack, unsigned node) : value(pack), node(node) {}
+  Counted(const Pack& result, unsigned from) : value(result), node(from) {}
   template <class Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
   Counted(Number number) : value(typename Traits::Lane(number)) {}  // NOLINT: implicit
 
