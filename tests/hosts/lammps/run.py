@@ -720,7 +720,7 @@ def test_bad_input():
     for change, message in (
             (dict(style="contactlaws/hil"), "Unrecognized pair style 'contactlaws/hil'"),
             (dict(style="contactlaws/hill fast"), "packs or scalar, not 'fast'"),
-            (dict(coeff=f"{glass} frction 0.4"), "no parameter 'frction'; there are: friction, suction, damping_constant, restitution, young, poisson, wet"),
+            (dict(coeff=f"{glass} frction 0.4"), "no parameter 'frction'; there are: damping_constant, friction, suction, decay_length, rupture_gap, restitution, young, poisson, wet"),
             (dict(coeff=f"{glass} friction"), "pairs of a name and a value"),
             (dict(coeff=f"{glass} friction -0.4"), "friction is -0.4, must lie in [0, inf)"),
             (dict(coeff="young -1 poisson 0.2"), "young is -1 Pa, must lie in (0, inf)"),
