@@ -68,13 +68,13 @@ double take_returned(State& state) {
   return volume;
 }
 
-/// The spring that a coefficient of restitution is converted for; laws of linear springs read no moduli of the bodies.
+/// Whether a law reads the moduli of the bodies; one of linear springs has its own stiffness.
 template <class Parameters>
-inline constexpr Spring spring_of = Spring::hertz;
+inline constexpr bool reads_moduli = true;
 template <>
-inline constexpr Spring spring_of<LinearFrictionProperties<double>> = Spring::linear;
+inline constexpr bool reads_moduli<LinearFrictionProperties<double>> = false;
 template <>
-inline constexpr Spring spring_of<LinearSpringDashpotProperties<double>> = Spring::linear;
+inline constexpr bool reads_moduli<LinearSpringDashpotProperties<double>> = false;
 
 /// A material of which nothing is given yet.
 inline ElasticMaterial<double> no_material() {
@@ -90,33 +90,29 @@ inline EffectiveModuli<double> given_moduli(const ElasticMaterial<double>& a, co
   return effective_moduli(a, b);
 }
 
-/// Whether a law has dashpots, and a coefficient of restitution sets them.
+/// The parameter of laws with dashpots that stands for their damping constant; none of other laws.
 template <class Parameters>
-inline constexpr bool has_restitution = std::decay_t<decltype(LawOf<Parameters>::damping)>::acts;
+inline constexpr const char* restitution_name =
+    std::decay_t<decltype(LawOf<Parameters>::damping)>::acts ? "restitution" : "";
 
-/// As set_parameter(), where a host knows other names too, ", young, poisson": the message about an unknown one lists all.
-/// @throws std::invalid_argument listing the names
-template <class Owner>
-void set_parameter_beside(const std::string& others, Owner& owner, const std::string& name, double value) {
-  try {
-    set_parameter(owner, name, value);
-  } catch (const std::invalid_argument& fault) {
-    const std::string known = fault.what(), none = "none";
-    const bool is_alone = known.compare(known.size() - none.size(), none.size(), none) == 0 && !others.empty();
-    reject(known + (is_alone ? " but" + others.substr(1) : others));
+/// Where `name` is that parameter: sets the damping constant for a restitution of impacts at which nothing pulls. Returns whether it is.
+template <class Parameters>
+bool set_restitution(Parameters& parameters, const std::string& name, double value) {
+  if constexpr (*restitution_name<Parameters> != 0) {
+    if (name != restitution_name<Parameters>) return false;
+    set_parameter(parameters, "damping_constant", damping_constant<LawOf<Parameters>>(value));
+    return true;
   }
+  return false;
 }
 
-/// Sets a parameter by name; `restitution`, of an impact at which nothing pulls, sets the damping constant.
+/// Sets a parameter by name, `restitution` among them; `others`, which the host sets itself, are listed beside an unknown name.
 /// @throws std::invalid_argument listing the names
 template <class Parameters>
-void set_law_parameter(Parameters& parameters, const std::string& name, double value, const std::string& others) {
-  if (has_restitution<Parameters> && name == "restitution") {
-    set_parameter(parameters, "damping_constant",
-                  damping_constant(value, spring_of<Parameters>, tension_of<decltype(LawOf<Parameters>::damping)>));
-  } else {
-    set_parameter_beside((has_restitution<Parameters> ? ", restitution" : "") + others, parameters, name, value);
-  }
+void set_law_parameter(Parameters& parameters, const std::string& name, double value, std::string others) {
+  if (set_restitution(parameters, name, value)) return;
+  if (const std::string own = restitution_name<Parameters>; !own.empty()) others = own + ", " + others;
+  set_parameter(parameters, name, value, others);
 }
 
 }  // namespace contactlaws

@@ -280,6 +280,8 @@ TEST_CASE("Parameters are set by name, of a law and of a maker's properties") {
                                                                "friction, suction, decay_length, rupture_gap"));
   SmoothHertz<double> smooth;
   CHECK_THROWS_WITH(set_parameter(smooth, "friction", 0.4), Equals("no parameter 'friction'; there is none"));
+  CHECK_THROWS_WITH(set_parameter(smooth, "friction", 0.4, "young, poisson"),
+                    Equals("no parameter 'friction'; there are: young, poisson"));
   RoughBallastProperties<double> ballast;
   const char* names[] = {"fractal_dimension", "roughness", "friction", "stiffness_ratio"};
   const double values[] = {2.13, 26.1e-6, 0.7, 0.9};

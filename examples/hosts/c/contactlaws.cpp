@@ -42,7 +42,7 @@ struct NoMaterials {
 /// All that contactlaws_make() may set: set_parameter() finds it by name.
 template <class Parameters>
 struct Request {
-  using OfBodies = std::conditional_t<spring_of<Parameters> == Spring::hertz, Materials, NoMaterials>;
+  using OfBodies = std::conditional_t<reads_moduli<Parameters>, Materials, NoMaterials>;
   Parameters properties;
   OfBodies materials;
   auto slots() { return std::tie(properties, materials); }
@@ -94,11 +94,8 @@ contactlaws_law* make(const Given& given) {
   Request<Parameters> request{};
   for (std::size_t i = 0; i < given.count; ++i) {
     const std::string name = given.names[i];
-    if (has_restitution<Parameters> && name == "restitution") {
-      set_law_parameter(request.properties, name, given.values[i], "");
-    } else {
-      set_parameter_beside(has_restitution<Parameters> ? ", restitution" : "", request, name, given.values[i]);
-    }
+    if (!set_restitution(request.properties, name, given.values[i]))
+      set_parameter(request, name, given.values[i], restitution_name<Parameters>);
   }
   return new MadeLaw<LawOf<Parameters>>(request.materials.moduli(), make_law(request.properties));
 }

@@ -74,7 +74,7 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
           wet_gap_ = value;
         } else {
           set_law_parameter(parameters, name, value,
-                            std::string(", young, poisson, wall_young, wall_poisson") + (bridges ? ", wet" : ""));
+                            std::string("young, poisson, wall_young, wall_poisson") + (bridges ? ", wet" : ""));
         }
       }
       if (sides_ == 2 && motion_.shears() && motion_.axis() == axis_) fail("a plane shears along itself");
@@ -82,7 +82,7 @@ class FixWallContactLaws : public LAMMPS_NS::Fix {
       law_ = make_law(parameters);
       if (wall.young != wall.young) wall.young = grain.young;
       if (wall.poisson != wall.poisson) wall.poisson = grain.poisson;
-      if (spring_of<Parameters> == Spring::hertz) moduli_ = given_moduli(grain, wall);
+      if (reads_moduli<Parameters>) moduli_ = given_moduli(grain, wall);
     } catch (const std::invalid_argument& complaint) {
       fail(complaint.what());
     }

@@ -48,15 +48,14 @@ class TypePairs {
       (*this)(i, j).wet_gap = value;
     } else {
       set_law_parameter((*this)(i, j).parameters, name, value,
-                        std::string(", young, poisson") + (has_bridge<LawOf<Parameters>> ? ", wet" : ""));
+                        std::string("young, poisson") + (has_bridge<LawOf<Parameters>> ? ", wet" : ""));
     }
   }
   /// Makes law and moduli of what is set.
   void prepare(int i, int j) {
     Entry& entry = (*this)(i, j);
     entry.law = make_law(entry.parameters);
-    if (spring_of<Parameters> == Spring::hertz)
-      entry.moduli = given_moduli(materials_[std::size_t(i)], materials_[std::size_t(j)]);
+    if (reads_moduli<Parameters>) entry.moduli = given_moduli(materials_[std::size_t(i)], materials_[std::size_t(j)]);
   }
 
   /// transfer(values, bytes) for all that commands have set: into a restart file, or from it.

@@ -144,9 +144,9 @@ class ContactLawsModel : public NormalModelBase {
     const double value =
         registry.getGlobalProperty(property, "property/global", "peratomtypepair", types_, types_, "contactlaws")
             ->compute_array(i - 1, j - 1);
-    if (parameter != "damping_constant") return value;
-    return contactlaws::damping_constant(value, contactlaws::spring_of<Parameters>,
-                                         contactlaws::tension_of<decltype(Law::damping)>);
+    if constexpr (decltype(Law::damping)::acts)
+      if (parameter == "damping_constant") return contactlaws::damping_constant<Law>(value);
+    return value;
   }
 
   contactlaws::PairProperties<double> bodies(const Pair& types, double radius_i, double radius_j, double mass) const {

@@ -96,9 +96,9 @@ Owner checked(const Owner& owner) {
 }
 
 /// Sets the parameter of this name, of a law in whichever slot it is; checked() then checks it.
-/// @throws std::invalid_argument listing the names that there are
+/// @throws std::invalid_argument listing the names that there are, and `others`, which the caller knows beside them: "young, poisson"
 template <class Owner, class T>
-void set_parameter(Owner& owner, const std::string& name, const T& value) {
+void set_parameter(Owner& owner, const std::string& name, const T& value, const std::string& others = {}) {
   bool found = false;
   std::string names;
   visit_parameters(owner, [&](const char*, const auto& p, auto& member) {
@@ -107,6 +107,7 @@ void set_parameter(Owner& owner, const std::string& name, const T& value) {
     member = value;
     found = true;
   });
+  if (!others.empty()) names += (names.empty() ? "" : ", ") + others;
   if (!found) reject("no parameter '" + name + "'; there " + (names.empty() ? "is none" : "are: " + names));
 }
 

@@ -176,7 +176,10 @@ class Numbers(InTemporaryDirectory):
             self.assertIn(f'"{law}"', source)
 
     def test_laws_of_scenes(self):
-        """The normal force of a contact pressed to 1e-6 m without speed: Hertz's, yield along a line, Luding's line, the pull of JKR and water."""
+        """The normal force of a contact pressed to 1e-6 m without speed: Hertz's, yield along a line, Luding's line, the pull of JKR and water.
+
+        1e-12: the overlap is written in 12 digits.
+        """
         press = HEADER + "".join(f"1,{i * 1e-8:.12g},0,0,1,0,0,0\n" for i in range(1, 101))
         hertz = lambda young, nu, r: 4 / 3 * young / (2 * (1 - nu**2)) * math.sqrt(r / 2) * 1e-6**1.5
         force = lambda scene: float(self.drive(law_text(f"scene_{scene}"), press)[-1]["fn_total"])
@@ -187,7 +190,7 @@ class Numbers(InTemporaryDirectory):
         at_first = 4 / 3 * stiffness * math.sqrt(radius) * first**1.5
         self.assert_close(force("plastic_grains"), at_first + math.pi * pressure * radius * (1e-6 - first), 1e-12)
         pull = hertz(29e9, 0.15, 1e-3) - force("wet_grains")
-        self.assertTrue(0.9 < pull / (2 * math.pi * 1e-3 * 0.072 * math.cos(0.2)) < 1, pull)  # Derjaguin's, of a vanishing volume
+        self.assertTrue(0.9 < pull / (2 * math.pi * 1e-3 * 0.072 * math.cos(0.2)) < 1, pull)  # Derjaguin's, of a vanishing volume; V = 1e-3 R^3 pulls some percent less
         smallest = min(float(row["fn_total"]) for row in self.drive(law_text("scene_cohesive_powder"), HEADER + "".join(
             f"1,{o * 1e-11:.12g},0,0,1,0,0,0\n" for o in range(100, -2000, -1))))
         self.assert_close(smallest, -1.5 * math.pi * 0.05 * 2.5e-6, 1e-4)  # of points 1e-11 m apart, near a smooth minimum
