@@ -9,6 +9,7 @@
 
 #include "passes.hpp"
 #include "runs_here.hpp"
+#include "triad.hpp"
 
 namespace {
 
@@ -35,17 +36,13 @@ void step_all(benchmark::State& run, const Law& law, std::size_t contacts, const
   count(run, contacts, Pass<Law>::bytes_per_contact);
 }
 
-/// STREAM's triad (McCalpin 1995), the yardstick of memory: a = b + s c.
 void triad(benchmark::State& run) {
-  const std::size_t n = 20'000'000;
-  std::vector<double> a(n, 0.0), b(n, 1.0), c(n, 2.0);
-  double s = 3.0;
-  benchmark::DoNotOptimize(s);
+  Triad pass;
   for (auto _ : run) {
-    for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + s * c[i];
+    pass();
     benchmark::ClobberMemory();
   }
-  count(run, n, 3 * sizeof(double));
+  count(run, Triad::count, Triad::bytes);
 }
 
 template <class Shear, class Rolling = NoRolling<double>>

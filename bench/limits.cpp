@@ -13,6 +13,7 @@
 #include "counted.hpp"
 #include "passes.hpp"
 #include "runs_here.hpp"
+#include "triad.hpp"
 
 namespace {
 
@@ -23,7 +24,7 @@ constexpr std::size_t in_memory = 1'000'000;
 
 /// ns of one call: median of eleven turns of about a millisecond.
 template <class Call>
-double median_ns(const Call& call) {
+double median_ns(Call&& call) {
   using Clock = std::chrono::steady_clock;
   const auto ns_of = [&call](std::size_t calls) {
     const auto start = Clock::now();
@@ -106,18 +107,6 @@ struct Core {
     return *std::max_element(std::begin(units), std::end(units));
   }
 };
-
-/// STREAM's triad (McCalpin 1995), the yardstick of memory: a = b + s c. ns per byte.
-double triad() {
-  const std::size_t n = 20'000'000;
-  std::vector<double> a(n, 0.0), b(n, 1.0), c(n, 2.0);
-  double s = 3.0;
-  change(s);
-  return median_ns([&] {
-           for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + s * c[i];
-         }) /
-         double(n * 3 * sizeof(double));
-}
 
 template <class T>
 constexpr const char* number = std::is_same_v<T, double> ? "double" : "float";
@@ -218,7 +207,8 @@ int main() {
   std::puts(
       "instructions,number,path,law,contacts,roots,divisions,multiplications,additions,loads,stores,least_ns,set_by,"
       "measured_ns,ratio");
-  const double ns_per_byte = triad();
+  Triad triad;
+  const double ns_per_byte = median_ns(triad) / double(Triad::bytes * Triad::count);
   print_operation("double", "memory", "byte of the triad", ns_per_byte);
   print_all<double>(mixes, ns_per_byte);
   print_all<float>(mixes, ns_per_byte);

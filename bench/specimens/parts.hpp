@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "bench/triad.hpp"
 #include "contactlaws/batch.hpp"
 #include "contactlaws/scalars/xsimd.hpp"
 
@@ -66,14 +67,14 @@ void law_alone(benchmark::State& run, const Scene& scene) {
 }
 
 inline void triad(benchmark::State& run) {
-  constexpr std::size_t count = 10000000;
-  std::vector<double> a(count, 1.0), b(count, 2.0), c(count, 3.0);
+  Triad pass;
   for (auto _ : run) {
-    for (std::size_t i = 0; i < count; ++i) a[i] = b[i] + 3.0 * c[i];
+    pass();
     benchmark::ClobberMemory();
   }
   run.counters["bandwidth"] =
-      benchmark::Counter(static_cast<double>(run.iterations()) * 24.0 * count, benchmark::Counter::kIsRate);
+      benchmark::Counter(static_cast<double>(run.iterations()) * static_cast<double>(Triad::bytes * Triad::count),
+                         benchmark::Counter::kIsRate);
 }
 
 }  // namespace bench
