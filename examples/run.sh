@@ -1,7 +1,8 @@
 #!/bin/sh
 # Builds the examples and runs them, on a fresh Debian or Ubuntu too:  sh examples/run.sh [--full]
 #
-# --full: the specimens of both documents at their sizes. That takes hours; Ctrl-C stops it, the same command goes on.
+# --full: the specimens of both documents at their sizes, compiled for this machine's processor. That takes hours; Ctrl-C stops
+# it, the same command goes on.
 set -eu
 case ${1:-} in
 -h | --help)
@@ -10,10 +11,10 @@ case ${1:-} in
   ;;
 esac
 cd "$(dirname "$0")/.."
-full=
+full= native=OFF
 case ${1:-} in
 '') ;;
---full) full=--full ;;
+--full) full=--full native=ON ;;
 *)
   echo "examples/run.sh: $1 is not --full" >&2
   exit 2
@@ -25,7 +26,8 @@ esac
 install_packages g++ make cmake libeigen3-dev libxsimd-dev nlohmann-json3-dev 'libboost1.81-dev|libboost-dev' libtomlplusplus-dev \
   libcli11-dev python3-matplotlib
 
-cmake --preset release -B build/examples -DCONTACTLAWS_BUILD_TESTS=OFF -DCONTACTLAWS_BUILD_BENCH=OFF
+cmake --preset release -B build/examples -DCONTACTLAWS_BUILD_TESTS=OFF -DCONTACTLAWS_BUILD_BENCH=OFF \
+  -DCONTACTLAWS_NATIVE=$native
 cmake --build build/examples -j "$(nproc)" --target first_contact verify_your_law drop memo contact_curves class5 probe bridge_curves \
   contact_path
 

@@ -134,11 +134,11 @@ class Membrane {
       force[bond.two].all() -= pull;
     }
     for (const auto& [a, b, c] : triangles) {
-      const Eigen::Vector4d one = place[b].all() - place[a].all(), two = place[c].all() - place[a].all();
-      const Eigen::Vector4d third = one.cross3(two) * (-pressure / 6.0);  // of the pressure on half of one x two
-      force[a].all() += third;
-      force[b].all() += third;
-      force[c].all() += third;
+      const Vec3 one = place[b] - place[a], two = place[c] - place[a];
+      const Vec3 third = one.cross(two) * (-pressure / 6.0);  // of the pressure on half of one x two
+      force[a] += third;
+      force[b] += third;
+      force[c] += third;
     }
   }
   double tension(const Bond& bond) const {
