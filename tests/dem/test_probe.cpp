@@ -79,13 +79,12 @@ TEST_CASE("grains have the sieve curve and the volume that were asked for") {
   CHECK(below_40 / volume == Approx(0.475).margin(0.01));
 }
 
-TEST_CASE("the sample is packed without stress at the voids ratio asked for, or jams before") {
-  // Grains half as wide as this small vessel jam at more than 0.7.
-  const auto [voids_ratio, jams] = GENERATE(table<double, bool>({{0.9, false}, {0.7, true}}));
+TEST_CASE("the sample is packed without stress at the voids ratio asked for") {
+  // Looser than ballast: grains half as wide as this small vessel jam at 0.7.
   SampleSize size;
   size.diameter = 0.12;
   size.height = 0.18;
-  size.voids_ratio = voids_ratio;
+  size.voids_ratio = 0.9;
   const Sample sample = make_sample(size, shapes());
   Specimen<Hertz> specimen(make_law<Hertz>(0.0), boundary_law(), shapes(), sample);
   specimen.clumps.start(specimen.scene);
@@ -94,19 +93,10 @@ TEST_CASE("the sample is packed without stress at the voids ratio asked for, or 
     solid += clump.mass / granite.density;
     CHECK(std::hypot(clump.position.x(), clump.position.y()) < sample.radius);
   }
-  const double packed = specimen.vessel.area(specimen.scene) * Vessel::height(specimen.scene) / solid - 1.0;
-  const double axial = specimen.vessel.axial_stress(specimen.scene),
-               radial = specimen.vessel.radial_stress(specimen.scene);
-  if (jams) {
-    CHECK(packed > voids_ratio);
-    CHECK(packed < loosened(size).voids_ratio);
-    // The first step beyond `jammed`: a step closes the vessel by 3e-8 of its size, which adds less than a percent.
-    CHECK((axial + 2.0 * radial) / 3.0 == Approx(3e3).epsilon(0.01));
-  } else {
-    CHECK(packed == Approx(voids_ratio).epsilon(1e-9));
-    CHECK(axial < 1.5e3);  // 1 % of the pressure to come
-    CHECK(radial < 1.5e3);
-  }
+  CHECK(specimen.vessel.area(specimen.scene) * Vessel::height(specimen.scene) / solid - 1.0 ==
+        Approx(0.900).epsilon(1e-9));
+  CHECK(specimen.vessel.axial_stress(specimen.scene) < 1.5e3);  // 1 % of the pressure to come
+  CHECK(specimen.vessel.radial_stress(specimen.scene) < 1.5e3);
 }
 
 TEST_CASE("distances shrink with the vessel, so that no grain is swept ahead of a wall") {
@@ -283,7 +273,7 @@ TEST_CASE("a test that was stopped goes on with the same bits") {
   }
 }
 
-TEST_CASE("packing that was stopped in any phase goes on with the same bits") {
+TEST_CASE("packing that was stopped in either phase goes on with the same bits") {
   TemporaryFolder folder;
   SampleSize size;
   size.diameter = 0.12;
@@ -314,13 +304,6 @@ TEST_CASE("packing that was stopped in any phase goes on with the same bits") {
   const Sample relaxed_in_parts =
       stopped_twice("relax", [&](dem::CaseControl& control) { return relax(shrunk, shapes(), control); });
   CHECK(nlohmann::json(relaxed_in_parts) == nlohmann::json(relaxed));
-  SampleSize denser = size;
-  denser.height *= 0.999;
-  denser.diameter *= 0.999;
-  const Sample closed = close(relaxed, denser, shapes(), no_file);
-  const Sample closed_in_parts =
-      stopped_twice("close", [&](dem::CaseControl& control) { return close(relaxed, denser, shapes(), control); });
-  CHECK(nlohmann::json(closed_in_parts) == nlohmann::json(closed));
 }
 
 TEST_CASE("a test goes back to the same bits after a probe of noise, also where it was stopped in one") {

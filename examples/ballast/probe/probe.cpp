@@ -115,19 +115,16 @@ void write_curves(common::OutputFolder& folder, const Tests& tests, const Option
   noises.write_csv(folder.file("probe_noise.csv"));
 }
 
-/// The sample, packed in three phases that go on from where they were stopped.
+/// The sample, packed in two phases that go on from where they were stopped.
 Sample packed(const Options& options, const std::string& states, const std::vector<dem::ClumpShape>& shapes) {
   const auto run_phase = [&](const char* name, const std::function<Sample(dem::CaseControl&)>& phase) {
     const dem::Case one{name, 1.0, options.size,
                         [&](dem::CaseControl& control) { return nlohmann::json(phase(control)); }};
     return dem::run_cases("probe, " + std::string(name), states, {one}, 1).front().get<Sample>();
   };
-  const Sample shrunk = run_phase(
-      "packing_shrink", [&](dem::CaseControl& control) { return shrink(loosened(options.size), shapes, control); });
-  const Sample relaxed =
-      run_phase("packing_relax", [&](dem::CaseControl& control) { return relax(shrunk, shapes, control); });
-  return run_phase("packing_close",
-                   [&](dem::CaseControl& control) { return close(relaxed, options.size, shapes, control); });
+  const Sample shrunk =
+      run_phase("packing_shrink", [&](dem::CaseControl& control) { return shrink(options.size, shapes, control); });
+  return run_phase("packing_relax", [&](dem::CaseControl& control) { return relax(shrunk, shapes, control); });
 }
 
 int run(const Options& options) {
