@@ -110,7 +110,7 @@ struct Dashpots {
 /// mindlin_dashpot_ratio(). Another ratio than sqrt(k_s / k_n) means another alpha_s, which a stable step does not know.
 template <class T, Tension tension>
 struct Dashpots<T, tension, ShearDashpot::in_ratio> : Dashpots<T, tension, ShearDashpot::none> {
-  using OfNormal = Dashpots<T, tension, ShearDashpot::none>;
+  using OfNormal = Dashpots<T, tension, ShearDashpot::none>;  ///< what computes c_n
   template <class U>
   using Rebind = Dashpots<U, tension, ShearDashpot::in_ratio>;
   static constexpr bool damps_shear = true;
@@ -130,7 +130,7 @@ struct Dashpots<T, tension, ShearDashpot::in_ratio> : Dashpots<T, tension, Shear
 };
 
 /// sqrt(k_s / k_n) of Mindlin's shear stiffness 8 G* a and Hertz's secant 4/3 E* a: sqrt(6 G*/E*) [1]. Between 1 and sqrt(2)
-/// for materials of nu >= -1. Error: <= 2 ULP.
+/// for materials of any nu. Error: <= 2 ULP.
 template <class T>
 T mindlin_dashpot_ratio(const EffectiveModuli<T>& moduli) {
   using std::sqrt;
