@@ -34,17 +34,18 @@ struct Contact {
   bool wet;
 };
 
+inline constexpr ElasticMaterial<double> material{29e9, 0.15, 2650.0};  // granite
+
 inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}) {
   std::mt19937_64 random(20190405);
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
   const auto unit = [](const Vec3<double>& v) { return Vec3<double>(v / norm<double>(v)); };
   const auto direction = [&] { return unit(Vec3<double>(normal(random), normal(random), normal(random))); };
-  const ElasticMaterial<double> granite{29e9, 0.15, 2650.0};
   std::vector<Contact> contacts;
   for (std::size_t i = 0; i < count; ++i) {
     const auto radius = [&] { return 2e-3 * std::pow(5.0, uniform(random)); };
-    const PairProperties<double> pair = pair_properties(sphere(granite, radius()), sphere(granite, radius()));
+    const PairProperties<double> pair = pair_properties(sphere(material, radius()), sphere(material, radius()));
     const bool is_open = uniform(random) < mix.open;
     const bool slides = uniform(random) < mix.sliding;
     const double touching = std::abs(normal(random)) * 1e-5;
@@ -72,6 +73,13 @@ template <template <class> class ForceRule, Wets wets>
 void for_bridge(CapillaryBridge<double, ForceRule, wets>& bridge) {
   bridge = CapillaryBridge<double, ForceRule, wets>::of(0.072, 0.35, 1e-10);
 }
+
+template <Tension tension>
+void for_damping(Dashpots<double, tension, ShearDashpot::in_ratio>& dashpots) {
+  dashpots.dashpot_ratio = mindlin_dashpot_ratio(effective_moduli(material, material));
+}
+template <class Damping>
+void for_damping(Damping&) {}
 
 inline void for_rolling(RollingSpring<double>& law) { law.rolling_friction = 0.1; }
 inline void for_rolling(RollingTorque<double>& law) { law.rolling_friction = 0.1; }
@@ -107,6 +115,7 @@ Law granite() {
   }
   if constexpr (std::is_same_v<Normal, ThorntonNing<double>>) law.normal.yield_pressure = 500e6;
   if constexpr (decltype(Law::damping)::acts) law.damping.damping_constant = 0.07;
+  for_damping(law.damping);
   if constexpr (decltype(Law::shear)::acts) law.shear.friction = 0.4;
   for_bridge(law.bridge);
   if constexpr (decltype(Law::rolling)::acts) for_rolling(law.rolling);

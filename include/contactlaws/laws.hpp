@@ -27,8 +27,8 @@ template <class T>
 using SmoothHertz = ContactLaw<Hertz<T>>;
 
 /// Hertz-Mindlin with dashpots and friction (Potyondy 2019, dry). State: the shear force.
-template <class T, Tension tension = Tension::allowed>
-using DryHill = ContactLaw<Hertz<T>, Dashpots<T, tension>, ShearForce<T>>;
+template <class T, Tension tension = Tension::allowed, ShearDashpot shear = ShearDashpot::like_normal>
+using DryHill = ContactLaw<Hertz<T>, Dashpots<T, tension, shear>, ShearForce<T>>;
 
 /// The hill law: DryHill and a liquid bridge (Potyondy 2019). State: the shear force and the moisture.
 template <class T, Tension tension = Tension::allowed>
@@ -205,6 +205,17 @@ template <Tension tension = Tension::allowed, class T>
 DryHill<T, tension> dry_hill(const DryHillProperties<T>& properties) {
   DryHill<T, tension> law;
   law.damping.damping_constant = properties.damping_constant;
+  law.shear.friction = properties.friction;
+  return checked(law);
+}
+
+/// Makes DryHill of one pair of materials: the same law, c_s/c_n prepared. @throws std::invalid_argument likewise
+template <Tension tension = Tension::allowed, class T>
+DryHill<T, tension, ShearDashpot::in_ratio> dry_hill(const DryHillProperties<T>& properties,
+                                                     const EffectiveModuli<T>& moduli) {
+  DryHill<T, tension, ShearDashpot::in_ratio> law;
+  law.damping.damping_constant = properties.damping_constant;
+  law.damping.dashpot_ratio = mindlin_dashpot_ratio(moduli);
   law.shear.friction = properties.friction;
   return checked(law);
 }

@@ -104,13 +104,14 @@ using D = Dashpots<double>;
 using M = Mindlin<double>;
 using Turning = ContactLaw<H, D, ShearForce<double, M, rotation::Rotate<double>>>;
 using Projected = ContactLaw<H, D, ShearDisplacementRescaled<double, M, rotation::Project<double>>>;
+using InRatio = DryHill<double, Tension::allowed, ShearDashpot::in_ratio>;
 using Rough = ContactLaw<PohrtPopov<double>, D, ShearForceRescaled<double, ConstantRatio<double>>>;
 
 }  // namespace
 
 TEMPLATE_TEST_CASE("Batch and scalar kernel give the same bits", "", SmoothHertz<double>, LinearFriction<double>,
                    LinearSpringDashpot<double>, DryHill<double>, (DryHill<double, Tension::clipped>), DryHill<float>,
-                   Turning, Projected) {
+                   InRatio, InRatio::Rebind<float>, Turning, Projected) {
   using T = typename TestType::Scalar;
   const TestType law = bench::granite<typename TestType::template Rebind<double>>().template cast<T>();
   const auto count = static_cast<std::size_t>(GENERATE(0, 1, 2, 7, 8, 9, 16, 31, 100));
@@ -165,24 +166,29 @@ TEST_CASE("One number for all is the same as an array of it; nothing beyond the 
   CHECK(number.force[0][0] == -1.0);
 }
 
-TEMPLATE_TEST_CASE("A law's parameters may differ from contact to contact", "", DryHill<double>, DryHill<float>) {
+TEMPLATE_TEST_CASE("A law's parameters may differ from contact to contact", "", DryHill<double>, DryHill<float>,
+                   InRatio) {
   using Law = TestType;
   using T = typename Law::Scalar;
   const Law law = bench::granite<typename Law::template Rebind<double>>().template cast<T>();
   Host<Law> together(mixed(29)), one_by_one(mixed(29));
-  std::vector<T> frictions, dampings;
+  constexpr bool in_ratio = std::is_same_v<Law, InRatio>;
+  std::vector<T> frictions, dampings, ratios;
   for (std::size_t c = 0; c < together.count; ++c) {
     frictions.push_back(T(c % 5) / T(10));
     dampings.push_back(T(c % 3) / T(20));
+    ratios.push_back(T(1) + T(c % 4) / T(10));
   }
   auto laws = law.template cast<Column<T>>();
   laws.shear.friction = frictions.data();
+  if constexpr (in_ratio) laws.damping.dashpot_ratio = ratios.data();
   for (int pass = 0; pass < 3; ++pass) {
     laws.damping.damping_constant = pass == 0 ? Column<T>(dampings[1]) : Column<T>(dampings.data());
     evaluate(laws, together.batch(T(1e-7)));
     for (std::size_t c = 0; c < one_by_one.count; ++c) {
       Law own = law;
       own.shear.friction = frictions[c];
+      if constexpr (in_ratio) own.damping.dashpot_ratio = ratios[c];
       own.damping.damping_constant = pass == 0 ? dampings[1] : dampings[c];
       one_by_one.step_contact(own, T(1e-7), c + 1);
     }

@@ -2,6 +2,7 @@
 #include "make_laws.hpp"
 
 #include "catch.hpp"
+#include "contactlaws/damping/restitution.hpp"
 #include "contactlaws/laws.hpp"
 #include "oracle.hpp"
 #include "random.hpp"
@@ -128,6 +129,147 @@ TEST_CASE("Dashpots: the shear coefficient is the normal one's, none, or given")
   CHECK(given.parameters().size() == 2);
   CHECK_THROWS_WITH(checked(decltype(given){0.3, -0.1}),
                     Catch::Matchers::Equals("Dashpots: shear_damping_constant is -0.1, must lie in [0, inf)"));
+}
+
+namespace {
+
+template <class T>
+using InRatio = Dashpots<T, Tension::allowed, ShearDashpot::in_ratio>;
+
+template <class T>
+EffectiveModuli<T> moduli_of(const PairProperties<T>& pair) {
+  return {pair.effective_young, pair.effective_shear};
+}
+
+}  // namespace
+
+TEST_CASE("Dashpots in ratio: one root, and a ratio that must be given") {
+  const InRatio<double> law{{0.3}, 1.5};
+  const DampingCoefficients<double> c = law.coefficients(2.0, 8.0, 1e300);  // the shear stiffness is not read
+  CHECK(c.normal == 0.3 * 4.0);
+  CHECK(c.shear == 1.5 * (0.3 * 4.0));
+  CHECK(law.damps_shear);
+  CHECK(law.stiffness_factor() == Dashpots<double>{0.3}.stiffness_factor());
+  CHECK(law.normal_force(10.0, c.normal, 1.0) == 10.0 - 0.3 * 4.0);
+  CHECK(law.parameters().size() == 2);
+  CHECK_THROWS_WITH(checked(InRatio<double>{{0.3}}),
+                    Catch::Matchers::Equals("Dashpots: dashpot_ratio is 0, must lie in (0, inf)"));
+}
+
+TEST_CASE("Dashpots in ratio: Mindlin's is sqrt(3 (1 - nu)/(2 - nu)) of one material, and between 1 and sqrt(2)") {
+  for (const double nu : {-0.9, -0.5, 0.0, 0.15, 0.3, 0.5}) {
+    const ElasticMaterial<double> material{29e9, nu, 2650.0};
+    CHECK(mindlin_dashpot_ratio(effective_moduli(material, material)) ==
+          Approx(std::sqrt(3.0 * (1.0 - nu) / (2.0 - nu))).epsilon(1e-15));
+  }
+  // Stiffnesses of the memo's grains over o^(1/2), as printed to 15 digits.
+  CHECK(mindlin_dashpot_ratio(moduli_of(granite_pair<double>())) ==
+        Approx(std::sqrt(1.49320368203524e9 / 1.08330463206478e9)).epsilon(1e-14));
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const double of_two = mindlin_dashpot_ratio(moduli_of(random_pair(random)));  // nu from -0.5 to 0.5
+    CHECK(of_two > 1.0);
+    CHECK(of_two < std::sqrt(2.0));
+  }
+}
+
+TEST_CASE("Dashpots in ratio: at 200 bits the coefficients are those of DryHill") {
+  Random random;
+  for (int i = 0; i < 100; ++i) {
+    const auto pair = wide_pair<double>(random).cast<Binary200>();
+    Hertz<Binary200>::State none{};
+    const auto normal = Hertz<Binary200>{}.respond(none, pair, pair.effective_radius / 1000);
+    const Dashpots<Binary200> two_roots{Binary200(0.3)};
+    const InRatio<Binary200> one_root{{Binary200(0.3)}, mindlin_dashpot_ratio(moduli_of(pair))};
+    const auto expected =
+        two_roots.coefficients(pair.effective_mass, normal.secant, Mindlin<Binary200>{}.stiffness(pair, normal));
+    const auto computed = one_root.coefficients(pair.effective_mass, normal.secant, Binary200(0));
+    CHECK(computed.normal == expected.normal);
+    CHECK(abs(computed.shear - expected.shear) <= expected.shear * 1e-58);  // 200 bits are 60 digits
+  }
+}
+
+TEMPLATE_TEST_CASE("Dashpots in ratio: accuracy", "", double, float) {
+  using T = TestType;
+  Random random;
+  Worst ratio("Mindlin's dashpot ratio" + precision_name<T>()), coefficient("c_s in ratio" + precision_name<T>());
+  for (int i = 0; i < cases(100000); ++i) {
+    const EffectiveModuli<T> moduli = moduli_of(wide_pair<T>(random));
+    const EffectiveModuli<Binary200> exact{moduli.young, moduli.shear};
+    ratio.see(ulps(mindlin_dashpot_ratio(moduli), mindlin_dashpot_ratio(exact)), moduli.young, moduli.shear);
+    const T alpha = random.binary<T>(-20, 1);
+    const InRatio<T> law{{alpha}, random.binary<T>(-3, 3)};
+    const T mass = random.binary<T>(-60, 20);
+    const T secant = random.binary<T>(-40, 40);
+    const auto reference = slot_cast<Binary200>(law).coefficients(Binary200(mass), Binary200(secant), Binary200(0));
+    coefficient.see(ulps(law.coefficients(mass, secant, T(0)).shear, reference.shear), alpha, mass, secant);
+  }
+  CHECK(ratio.error() <= 2.0);  // what the header promises
+  CHECK(coefficient.error() <= 3.0);
+}
+
+TEMPLATE_TEST_CASE("Dashpots in ratio: a DryHill of one pair of materials moves as DryHill, its shear force to 8 eps",
+                   "", double, float) {
+  using T = TestType;
+  const T eps = std::numeric_limits<T>::epsilon();
+  Random random;
+  int sticking = 0, sliding = 0;
+  for (int i = 0; i < cases(2000); ++i) {
+    const PairProperties<T> pair = random_pair(random).template cast<T>();
+    DryHillProperties<T> properties;
+    properties.friction = T(random.uniform(0.1, 1.0));
+    properties.damping_constant = T(random.log_uniform(1e-2, 2.0));
+    const auto two_roots = contactlaws::dry_hill(properties);
+    const auto one_root = contactlaws::dry_hill(properties, moduli_of(pair));
+    T history[3] = {}, same[3] = {};
+    const Vec3<T> normal = random.direction().template cast<T>().normalized();
+    const T period = T(std::sqrt(pair.effective_mass / pair.effective_young / pair.effective_radius));
+    for (int k = 0; k < 10; ++k) {
+      const T overlap = pair.effective_radius * T(random.log_uniform(1e-6, 1e-3));
+      const T speed = overlap / period * T(random.log_uniform(1e-4, 1e-1));
+      const ContactKinematics<T> motion{normal, overlap, random.direction().template cast<T>() * speed, period};
+      const auto expected = two_roots.step(pair, motion, two_roots.load(history));
+      const auto step = one_root.step(pair, motion, one_root.load(same));
+      two_roots.store(expected.state, history);
+      one_root.store(step.state, same);
+      CHECK(std::equal(history, history + 3, same));
+      CHECK(step.normal_force == expected.normal_force);
+      // Of c_s: k_s is one rounding off and the secant three, halved by the roots; with the products, the roots and the ratio ten
+      // halves of an eps. The rest is for the sum and its limit.
+      const T c_s = properties.damping_constant * std::sqrt(pair.effective_mass * 8 * pair.effective_shear *
+                                                            std::sqrt(pair.effective_radius * overlap));
+      const T error = norm<T>(Vec3<T>(step.shear_force - expected.shear_force));
+      CHECK(error <= 8 * eps * (c_s * speed + norm<T>(expected.shear_force)));
+      (expected.sliding ? sliding : sticking) += 1;
+    }
+  }
+  CHECK(sticking > cases(2000));
+  CHECK(sliding > cases(2000));
+}
+
+TEST_CASE("Dashpots in ratio: restitution, time step and heat are those of DryHill") {
+  const PairProperties<double> pair = granite_pair<double>();
+  DryHillProperties<double> properties;
+  properties.friction = 0.4;
+  properties.damping_constant = damping_constant<DryHill<double>>(0.7);
+  const auto law = contactlaws::dry_hill(properties, moduli_of(pair));
+  CHECK(damping_constant<std::decay_t<decltype(law)>>(0.7) == properties.damping_constant);
+  using Clipped = DryHill<double, Tension::clipped, ShearDashpot::in_ratio>;
+  CHECK(damping_constant<Clipped>(0.7) == damping_constant<DryHill<double, Tension::clipped>>(0.7));
+
+  const ContactStiffness<double> stiffness = law.stiffness(pair, 1e-5, {});
+  const ContactStiffness<double> expected = contactlaws::dry_hill(properties).stiffness(pair, 1e-5, {});
+  CHECK(stiffness.normal == expected.normal);
+  CHECK(stiffness.shear == expected.shear);
+
+  // c_n v_n^2 dt + c_s v_s^2 dt with the memo's stiffnesses; the sum of spring and dashpot cancels to 1e-12.
+  const double root = std::sqrt(1e-5), dt = 1e-7, alpha = properties.damping_constant, mass = pair.effective_mass;
+  const auto step = law.step(pair, {{0, 0, 1}, 1e-5, {0.1, 0, -0.3}, dt}, {});
+  CHECK_FALSE(step.sliding);
+  CHECK(step.dashpot_work == Approx(alpha * dt *
+                                    (std::sqrt(mass * 1.08330463206478e9 * root) * 0.09 +
+                                     std::sqrt(mass * 1.49320368203524e9 * root) * 0.01))
+                                 .epsilon(1e-12));
 }
 
 }  // namespace contactlaws::test

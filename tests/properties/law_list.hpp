@@ -26,6 +26,7 @@ struct Slots {
   Dashpots<T, Tension::clipped> clipped{0.6};
   Dashpots<T, Tension::allowed, ShearDashpot::none> normal_only{0.3};
   Dashpots<T, Tension::clipped, ShearDashpot::given> two_constants{0.3, 0.1};
+  Dashpots<T, Tension::allowed, ShearDashpot::in_ratio> in_ratio{{0.3}, 1.2};
   Frictionless<T> smooth;
   Dry<T> dry;
   SuctionBridge<T> wet{2e5, 2.0, 2.0};
@@ -67,7 +68,7 @@ void visit_each_slot(const Visit& visit) {
                 s.dry));
   visit("CohesivePowder", 7, compose(Jkr<T>{0.5}, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit("MindlinDeresiewicz", 17, compose(s.hertz, s.damped, MindlinDeresiewicz<T>{{}, {0.4}}, s.dry));
-  visit("Hertz rolling", 6, compose(s.hertz, s.damped, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
+  visit("Hertz rolling", 6, compose(s.hertz, s.in_ratio, ShearForce<T>{s.mindlin, 0.4}, s.dry, s.rolling));
   visit("Rolling torque", 0, compose(s.hertz, s.undamped, s.smooth, s.dry, RollingTorque<T>{0.1}));
   visit("Rolling dashpot, twisting", 4,
         compose(s.hertz, s.undamped, s.smooth, s.dry, RollAndTwist<T, RollingSpringDashpot<T>>{{{}, 0.2, 0.3}, {0.4}}));

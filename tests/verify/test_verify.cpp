@@ -67,6 +67,8 @@ TEST_CASE("The named laws have the properties they claim") {
   dry.friction = 0.4;
   dry.damping_constant = damping_constant(0.7, Spring::hertz, Tension::allowed);
   CHECK(failures(check(dry_hill(dry), claims)) == Names{});
+  const EffectiveModuli<double> moduli{pair.effective_young, pair.effective_shear};
+  CHECK(failures(check(dry_hill(dry, moduli), claims)) == Names{});
   claims.no_tension = true;
   dry.damping_constant = damping_constant(0.7, Spring::hertz, Tension::clipped);
   CHECK(failures(check(dry_hill<Tension::clipped>(dry), claims)) == Names{});

@@ -7,7 +7,8 @@
 // d is the elastic indentation: the overlap of smooth bodies, less for rough ones (normal/pohrt_popov.hpp).
 // Tsuji, Tanaka & Ishida (1992); Potyondy (2019) Eqs 13, 17 and Table 4. For a linear spring alpha is twice the damping
 // ratio. Domain: alpha >= 0; m* k must not underflow. No history.
-// alpha from a coefficient of restitution: restitution.hpp. Error: <= 2 ULP in a coefficient (tests/laws/test_dashpots.cpp).
+// alpha from a coefficient of restitution: restitution.hpp. Error: <= 2 ULP in a coefficient, <= 3 in c_s = dashpot_ratio c_n
+// (tests/laws/test_dashpots.cpp).
 #pragma once
 
 #include <array>
@@ -27,7 +28,8 @@ enum class Tension {
 enum class ShearDashpot {
   like_normal,  ///< alpha_s = alpha (Potyondy 2019)
   none,         ///< alpha_s = 0: damping in the normal direction only
-  given         ///< alpha_s is a parameter of its own
+  given,        ///< alpha_s is a parameter of its own
+  in_ratio      ///< alpha_s = alpha, sqrt(k_s / k_n) prepared: one root less in each step, for springs of a fixed ratio
 };
 
 /// The empty damping slot.
@@ -103,5 +105,36 @@ struct Dashpots {
     return root * root;
   }
 };
+
+/// c_s = dashpot_ratio c_n. For Mindlin's shear stiffness beside Hertz the ratio follows from the two materials:
+/// mindlin_dashpot_ratio(). Another ratio than sqrt(k_s / k_n) means another alpha_s, which a stable step does not know.
+template <class T, Tension tension>
+struct Dashpots<T, tension, ShearDashpot::in_ratio> : Dashpots<T, tension, ShearDashpot::none> {
+  using OfNormal = Dashpots<T, tension, ShearDashpot::none>;  ///< what computes c_n
+  template <class U>
+  using Rebind = Dashpots<U, tension, ShearDashpot::in_ratio>;
+  static constexpr bool damps_shear = true;
+
+  T dashpot_ratio = T(0);  ///< c_s / c_n = sqrt(k_s / k_n) [1]
+
+  static constexpr auto parameters() {
+    const std::array<Parameter<Dashpots, T>, 1> ratio{
+        {{"dashpot_ratio", "1", &Dashpots::dashpot_ratio, Range::positive()}}};
+    return concatenate(inherited<Dashpots, T>(OfNormal::parameters()), ratio);
+  }
+
+  CONTACTLAWS_HD DampingCoefficients<T> coefficients(const T& mass, const T& secant, const T& shear) const noexcept {
+    const T normal = OfNormal::coefficients(mass, secant, shear).normal;
+    return {normal, dashpot_ratio * normal};
+  }
+};
+
+/// sqrt(k_s / k_n) of Mindlin's shear stiffness 8 G* a and Hertz's secant 4/3 E* a: sqrt(6 G*/E*) [1]. Between 1 and sqrt(2)
+/// for materials of any nu. Error: <= 2 ULP.
+template <class T>
+T mindlin_dashpot_ratio(const EffectiveModuli<T>& moduli) {
+  using std::sqrt;
+  return sqrt(T(T(6) * moduli.shear / moduli.young));
+}
 
 }  // namespace contactlaws
