@@ -116,17 +116,20 @@ class Clumps {
   }
   template <class Scene>
   void sum_forces(const Scene& scene) {
+    using Vector = contactlaws::PlainVec3<double>;  // GCC 12 stores Eigen's cross product and waits to load it again
     if (listing_ != scene.listings) note_listing(scene);
     for (std::size_t i = 0; i < size(); ++i) {
       Clump& c = all[i];
-      c.force = c.torque = Vec3::Zero();
+      const Vector centre = c.position;
+      Vector force(0.0, 0.0, 0.0), torque = force;
       for (std::ptrdiff_t k = start_[i]; k < start_[i + 1]; ++k) {
         const std::size_t b = active_[static_cast<std::size_t>(k)];
-        const Vec3 force = scene.balls.force[b], torque = scene.balls.torque[b];
-        const Vec3 arm = scene.balls.position[b] - c.position;
-        c.force += force;
-        c.torque += torque + arm.cross(force);
+        const Vector on_pebble = scene.balls.force[b], arm = Vector(scene.balls.position[b]) - centre;
+        force += on_pebble;
+        torque += Vector(scene.balls.torque[b]) + arm.cross(on_pebble);
       }
+      c.force = force;
+      c.torque = torque;
     }
   }
 
@@ -215,9 +218,9 @@ class Clumps {
     for (; ids != end; ++ids) {
       const std::size_t b = *ids;
       const Row& arm = arm_[b];
-      Eigen::Vector4d place = centre + (turned_arm[0] * arm.x() + turned_arm[1] * arm.y() + turned_arm[2] * arm.z());
-      place.w() = scene.balls.position[b].w;  // the radius
-      scene.balls.position[b].all() = place;
+      const Eigen::Vector4d place =
+          centre + (turned_arm[0] * arm.x() + turned_arm[1] * arm.y() + turned_arm[2] * arm.z());
+      scene.balls.position[b] = place.head<3>();  // w, the radius, keeps its value
       scene.balls.velocity[b].all() = velocity + (turning[0] * arm.x() + turning[1] * arm.y() + turning[2] * arm.z());
       scene.balls.spin[b].all() = spin;
     }
