@@ -107,26 +107,26 @@ inline common::BandedNumbers banded_numbers(const Tests& tests, const std::vecto
   const double e0_hertz = initial_modulus(hertz.load), e0_elastic = initial_modulus(elastic.load),
                e0_plastic = initial_modulus(plastic.load);
   const double e4_elastic = degraded_modulus(elastic.load), e4_plastic = degraded_modulus(plastic.load);
-  add("E0_elasto_plastic_over_elastic", "1", 1.42, {1.25, 1.41}, {1.20, 1.53}, e0_plastic / e0_elastic);
-  add("E0_hertz_over_elastic", "1", {}, {1.17, 1.33}, {1.0, 1.55}, e0_hertz / e0_elastic);
-  add("E_at_0.01_percent_elasto_plastic_over_elastic", "1", {}, {0.98, 1.08}, {0.88, 1.18}, e4_plastic / e4_elastic);
-  add("elastic_drop_to_0.01_percent", "1", {}, {-inf, 0.03}, {-inf, 0.18}, 1.0 - e4_elastic / e0_elastic);
-  add("elasto_plastic_E_at_0.01_percent_over_E0", "1", {}, {0.71, 0.83}, {0.51, 0.93}, e4_plastic / e0_plastic);
+  add("E0_elasto_plastic_over_elastic", "1", 1.42, {1.25, 1.41}, {1.27, 1.44}, e0_plastic / e0_elastic);
+  add("E0_hertz_over_elastic", "1", {}, {1.17, 1.33}, {1.17, 1.43}, e0_hertz / e0_elastic);
+  add_everywhere("E_at_0.01_percent_elasto_plastic_over_elastic", "1", {}, {0.98, 1.08}, e4_plastic / e4_elastic);
+  add("elastic_drop_to_0.01_percent", "1", {}, {-inf, 0.03}, {-inf, 0.065}, 1.0 - e4_elastic / e0_elastic);
+  add("elasto_plastic_E_at_0.01_percent_over_E0", "1", {}, {0.71, 0.83}, {0.69, 0.82}, e4_plastic / e0_plastic);
   add_everywhere("virgin_share_at_start", "1", {}, {-inf, 0.02}, mean_over(plastic.load, 1e-9, 1e-8, virgin_share));
-  add("virgin_share_at_0.01_percent", "1", {}, {0.5, 0.7}, {0.2, 0.97},
+  add("virgin_share_at_0.01_percent", "1", {}, {0.5, 0.7}, {0.58, 0.84},
       mean_over(plastic.load, 7e-5, 1.42e-4, virgin_share));
   add("residual_strain_elasto_plastic_over_elastic", "1", {}, {1.5, inf}, {1.0, inf},
       plastic.unload.back().strain / elastic.unload.back().strain);
-  add("unloading_modulus_elasto_plastic_over_elastic", "1", {}, {1.22, 1.38}, {1.09, 1.46},
+  add("unloading_modulus_elasto_plastic_over_elastic", "1", {}, {1.22, 1.38}, {1.19, 1.34},
       unloading_modulus(plastic.unload) / unloading_modulus(elastic.unload));
   add_everywhere("coordination_rough_minus_hertz", "1", 0.3, {0.3, inf},
                  elastic.load.front().coordination - hertz.load.front().coordination);
-  add("force_over_largest_of_reloading_contacts", "1", 0.89, {0.90, 0.98}, {0.89, 1.0},
+  add("force_over_largest_of_reloading_contacts", "1", 0.89, {0.90, 0.98}, {0.94, 1.0},
       mean_over(plastic.load, 1e-9, 1e-8, [](const Point& p) { return p.force_over_largest; }));
-  add("direction_of_virgin_contacts", "degrees", {}, {75.0, 90.0}, {50.0, 90.0},
-      mean_over(plastic.load, 1e-6, 1e-4, [](const Point& p) { return p.virgin_direction; }));
-  add("direction_of_unloading_contacts", "degrees", {}, {0.0, 10.0}, {0.0, 12.0},
-      mean_over(plastic.load, 1e-8, 1e-4, [](const Point& p) { return p.unloading_direction; }));
+  add_everywhere("direction_of_virgin_contacts", "degrees", {}, {75.0, 90.0},
+                 mean_over(plastic.load, 1e-6, 1e-4, [](const Point& p) { return p.virgin_direction; }));
+  add_everywhere("direction_of_unloading_contacts", "degrees", {}, {0.0, 10.0},
+                 mean_over(plastic.load, 1e-8, 1e-4, [](const Point& p) { return p.unloading_direction; }));
   double least_ratio = inf;  // of one onset to that of the next slower confinement
   for (std::size_t i = 1; i < by_confinement.size(); ++i) {
     const double ratio = onset(tests.at(by_confinement[i - 1]).load) / onset(tests.at(by_confinement[i]).load);
