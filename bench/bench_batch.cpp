@@ -47,7 +47,6 @@ void triad(benchmark::State& run) {
 
 template <class Shear, class Rolling = NoRolling<double>>
 using With = ContactLaw<Hertz<double>, Dashpots<double>, Shear, Dry<double>, Rolling>;
-using InRatio = DryHill<double, Tension::allowed, ShearDashpot::in_ratio>;
 
 template <class Law>
 void add(const std::string& name, const Law& law, const Mix& mix) {
@@ -78,8 +77,8 @@ int main(int argc, char** argv) {
   add("SmoothHertz", granite<SmoothHertz<double>>(), mix);
   add("DryHill", granite<DryHill<double>>(), mix);
   add("DryHill/resting", granite<DryHill<double>>(), resting);
-  add("DryHill/in_ratio", granite<InRatio>(), mix);
-  add("DryHill/in_ratio/resting", granite<InRatio>(), resting);
+  add("DryHill/in_ratio", granite<DryHillInRatio>(), mix);
+  add("DryHill/in_ratio/resting", granite<DryHillInRatio>(), resting);
   add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.05, 1.0, 1e-4});
   add("DryHill/turning/rotate", granite<With<ShearForce<double, Mindlin<double>, rotation::Rotate<double>>>>(),
       {0.05, 0.05, 1.0, 1e-4});

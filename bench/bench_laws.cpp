@@ -55,7 +55,6 @@ using Damped = ContactLaw<Hertz<double>, Dashpots<double>, Shear>;
 template <class Rolling>
 using Rolled = ContactLaw<Hertz<double>, Dashpots<double>, ShearForce<double>, Dry<double>, Rolling>;
 using Mi = Mindlin<double>;
-using InRatio = DryHill<double, Tension::allowed, ShearDashpot::in_ratio>;
 
 }  // namespace
 
@@ -64,7 +63,7 @@ int main(int argc, char** argv) {
   add("LinearFriction", granite<LinearFriction<double>>());
   add("LinearSpringDashpot", granite<LinearSpringDashpot<double>>());
   add("DryHill", granite<DryHill<double>>());
-  add("DryHill/in_ratio", granite<InRatio>());
+  add("DryHill/in_ratio", granite<DryHillInRatio>());
   add("DryHill/turning", granite<DryHill<double>>(), {0.05, 0.0, 0.0, 1e-4});
   add("Hill", granite<Hill<double>>(), {0.05, 0.05, 0.5});
   add("WetGrains", granite<WetGrains<double>>(), {0.05, 0.05, 1.0});

@@ -36,6 +36,8 @@ struct Contact {
 
 inline constexpr ElasticMaterial<double> material{29e9, 0.15, 2650.0};  // granite
 
+using DryHillInRatio = DryHill<double, Tension::allowed, ShearDashpot::in_ratio>;
+
 inline std::vector<Contact> make_contacts(std::size_t count, const Mix& mix = {}) {
   std::mt19937_64 random(20190405);
   std::uniform_real_distribution<double> uniform;

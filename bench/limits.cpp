@@ -189,7 +189,7 @@ void print_all(const std::vector<MixOf>& mixes, double ns_per_byte) {
   print("LinearFriction", granite<LinearFriction<double>>());
   print("LinearSpringDashpot", granite<LinearSpringDashpot<double>>());
   print("DryHill", granite<DryHill<double>>());
-  print("DryHill/in_ratio", granite<DryHill<double, Tension::allowed, ShearDashpot::in_ratio>>());
+  print("DryHill/in_ratio", granite<DryHillInRatio>());
   print("Hill", granite<Hill<double>>());
   print("RoughBallast", granite<RoughBallast<double>>());
 }

@@ -209,7 +209,8 @@ DryHill<T, tension> dry_hill(const DryHillProperties<T>& properties) {
   return checked(law);
 }
 
-/// Makes DryHill of one pair of materials: the same law, c_s/c_n prepared. @throws std::invalid_argument likewise
+/// Makes DryHill for contacts of one pair of materials: c_s/c_n is prepared from effective_moduli(), forces are equal to rounding.
+/// Other materials get a wrong shear dashpot, unnoticed. @throws std::invalid_argument on a parameter out of its range
 template <Tension tension = Tension::allowed, class T>
 DryHill<T, tension, ShearDashpot::in_ratio> dry_hill(const DryHillProperties<T>& properties,
                                                      const EffectiveModuli<T>& moduli) {

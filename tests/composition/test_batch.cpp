@@ -104,14 +104,13 @@ using D = Dashpots<double>;
 using M = Mindlin<double>;
 using Turning = ContactLaw<H, D, ShearForce<double, M, rotation::Rotate<double>>>;
 using Projected = ContactLaw<H, D, ShearDisplacementRescaled<double, M, rotation::Project<double>>>;
-using InRatio = DryHill<double, Tension::allowed, ShearDashpot::in_ratio>;
 using Rough = ContactLaw<PohrtPopov<double>, D, ShearForceRescaled<double, ConstantRatio<double>>>;
 
 }  // namespace
 
 TEMPLATE_TEST_CASE("Batch and scalar kernel give the same bits", "", SmoothHertz<double>, LinearFriction<double>,
                    LinearSpringDashpot<double>, DryHill<double>, (DryHill<double, Tension::clipped>), DryHill<float>,
-                   InRatio, InRatio::Rebind<float>, Turning, Projected) {
+                   bench::DryHillInRatio, bench::DryHillInRatio::Rebind<float>, Turning, Projected) {
   using T = typename TestType::Scalar;
   const TestType law = bench::granite<typename TestType::template Rebind<double>>().template cast<T>();
   const auto count = static_cast<std::size_t>(GENERATE(0, 1, 2, 7, 8, 9, 16, 31, 100));
@@ -167,12 +166,12 @@ TEST_CASE("One number for all is the same as an array of it; nothing beyond the 
 }
 
 TEMPLATE_TEST_CASE("A law's parameters may differ from contact to contact", "", DryHill<double>, DryHill<float>,
-                   InRatio) {
+                   bench::DryHillInRatio) {
   using Law = TestType;
   using T = typename Law::Scalar;
   const Law law = bench::granite<typename Law::template Rebind<double>>().template cast<T>();
   Host<Law> together(mixed(29)), one_by_one(mixed(29));
-  constexpr bool in_ratio = std::is_same_v<Law, InRatio>;
+  constexpr bool in_ratio = std::is_same_v<Law, bench::DryHillInRatio>;
   std::vector<T> frictions, dampings, ratios;
   for (std::size_t c = 0; c < together.count; ++c) {
     frictions.push_back(T(c % 5) / T(10));

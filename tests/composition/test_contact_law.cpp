@@ -94,7 +94,7 @@ TEST_CASE("A slot left out costs nothing") {
   static_assert(sizeof(Hill<double>::State) == 4 * sizeof(double));
   static_assert(sizeof(Hill<float>::State) == 4 * sizeof(float));
   static_assert(sizeof(ShearForce<double>) == sizeof(double));    // friction alone
-  static_assert(sizeof(Dashpots<double>) == 2 * sizeof(double));  // no ratio
+  static_assert(sizeof(Dashpots<double>) == 2 * sizeof(double));  // no room for a ratio that is not used
   static_assert(sizeof(DryHill<double, Tension::allowed, ShearDashpot::in_ratio>::State) == 3 * sizeof(double));
   static_assert(SmoothHertz<double>::state_values().empty());
   CHECK(Dry<double>::parameters().empty());

@@ -160,7 +160,7 @@ TEST_CASE("Dashpots in ratio: Mindlin's is sqrt(3 (1 - nu)/(2 - nu)) of one mate
   for (const double nu : {-0.9, -0.5, 0.0, 0.15, 0.3, 0.5}) {
     const ElasticMaterial<double> material{29e9, nu, 2650.0};
     CHECK(mindlin_dashpot_ratio(effective_moduli(material, material)) ==
-          Approx(std::sqrt(3.0 * (1.0 - nu) / (2.0 - nu))).epsilon(1e-15));
+          Approx(std::sqrt(3.0 * (1.0 - nu) / (2.0 - nu))).epsilon(1e-15));  // some five roundings
   }
   // Stiffnesses of the memo's grains over o^(1/2), as printed to 15 digits.
   CHECK(mindlin_dashpot_ratio(moduli_of(granite_pair<double>())) ==
@@ -234,8 +234,8 @@ TEMPLATE_TEST_CASE("Dashpots in ratio: a DryHill of one pair of materials moves 
       one_root.store(step.state, same);
       CHECK(std::equal(history, history + 3, same));
       CHECK(step.normal_force == expected.normal_force);
-      // Of c_s: k_s is one rounding off and the secant three, halved by the roots; with the products, the roots and the ratio ten
-      // halves of an eps. The rest is for the sum and its limit.
+      // Roundings of c_s, in eps/2: of two roots 3 (k_s 1 and a product 1, halved; root, alpha), of one root 7 (secant 3 and a
+      // product 1, halved; root, alpha, the ratio 2, its product). Together 5 eps; 3 more for the sum and its limit.
       const T c_s = properties.damping_constant * std::sqrt(pair.effective_mass * 8 * pair.effective_shear *
                                                             std::sqrt(pair.effective_radius * overlap));
       const T error = norm<T>(Vec3<T>(step.shear_force - expected.shear_force));

@@ -7,8 +7,8 @@
 // d is the elastic indentation: the overlap of smooth bodies, less for rough ones (normal/pohrt_popov.hpp).
 // Tsuji, Tanaka & Ishida (1992); Potyondy (2019) Eqs 13, 17 and Table 4. For a linear spring alpha is twice the damping
 // ratio. Domain: alpha >= 0; m* k must not underflow. No history.
-// alpha from a coefficient of restitution: restitution.hpp. Error: <= 2 ULP in a coefficient, <= 3 in c_s = dashpot_ratio c_n
-// (tests/laws/test_dashpots.cpp).
+// alpha from a coefficient of restitution: restitution.hpp. Error: <= 2 ULP in a coefficient, <= 3 in c_s = dashpot_ratio
+// c_n (tests/laws/test_dashpots.cpp).
 #pragma once
 
 #include <array>
@@ -106,8 +106,8 @@ struct Dashpots {
   }
 };
 
-/// c_s = dashpot_ratio c_n. For Mindlin's shear stiffness beside Hertz the ratio follows from the two materials:
-/// mindlin_dashpot_ratio(). Another ratio than sqrt(k_s / k_n) means another alpha_s, which a stable step does not know.
+/// c_s = dashpot_ratio c_n. mindlin_dashpot_ratio() gives the ratio for Mindlin's shear stiffness beside Hertz. With another
+/// ratio than sqrt(k_s / k_n), alpha_s is not alpha, and stiffness_factor(), which reads alpha alone, may be too small.
 template <class T, Tension tension>
 struct Dashpots<T, tension, ShearDashpot::in_ratio> : Dashpots<T, tension, ShearDashpot::none> {
   using OfNormal = Dashpots<T, tension, ShearDashpot::none>;  ///< what computes c_n
@@ -129,8 +129,8 @@ struct Dashpots<T, tension, ShearDashpot::in_ratio> : Dashpots<T, tension, Shear
   }
 };
 
-/// sqrt(k_s / k_n) of Mindlin's shear stiffness 8 G* a and Hertz's secant 4/3 E* a: sqrt(6 G*/E*) [1]. Between 1 and sqrt(2)
-/// for materials of any nu. Error: <= 2 ULP.
+/// sqrt(k_s / k_n) of Mindlin's shear stiffness 8 G* a (Mindlin 1949) and Hertz's secant 4/3 E* a: sqrt(6 G*/E*) [1]. It lies
+/// between 1 and sqrt(2). Error: <= 2 ULP.
 template <class T>
 T mindlin_dashpot_ratio(const EffectiveModuli<T>& moduli) {
   using std::sqrt;
