@@ -89,8 +89,8 @@ struct Band {
   double low, high;
 };
 
-/// All numbers of a run. `full`: of the paper's size. A sample of 120 grains scatters: it is judged by the mean of twelve samples,
-/// give or take four of their standard deviations (README.md beside this file has them).
+/// All numbers of a run. `full`: of the paper's size. A sample of 120 grains scatters: where its bands are its own, they are the
+/// mean of twelve samples, give or take four standard deviations (README.md beside this file has them).
 inline common::BandedNumbers banded_numbers(const Tests& tests, const std::vector<std::string>& by_confinement,
                                             bool full) {
   const TestState &hertz = tests.at("hertz"), &elastic = tests.at("elastic"), &plastic = tests.at("elasto_plastic");
@@ -123,8 +123,8 @@ inline common::BandedNumbers banded_numbers(const Tests& tests, const std::vecto
                  elastic.load.front().coordination - hertz.load.front().coordination);
   add("force_over_largest_of_reloading_contacts", "1", 0.89, {0.90, 0.98}, {0.94, 1.0},
       mean_over(plastic.load, 1e-9, 1e-8, [](const Point& p) { return p.force_over_largest; }));
-  add_everywhere("direction_of_virgin_contacts", "degrees", {}, {75.0, 90.0},
-                 mean_over(plastic.load, 1e-6, 1e-4, [](const Point& p) { return p.virgin_direction; }));
+  add("direction_of_virgin_contacts", "degrees", {}, {75.0, 90.0}, {71.0, 90.0},
+      mean_over(plastic.load, 1e-6, 1e-4, [](const Point& p) { return p.virgin_direction; }));
   add_everywhere("direction_of_unloading_contacts", "degrees", {}, {0.0, 10.0},
                  mean_over(plastic.load, 1e-8, 1e-4, [](const Point& p) { return p.unloading_direction; }));
   double least_ratio = inf;  // of one onset to that of the next slower confinement
